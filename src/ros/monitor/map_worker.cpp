@@ -108,10 +108,11 @@ std::uint32_t KnownAspects::proved_count() const noexcept {
 }
 
 MapWorker::MapWorker(std::shared_ptr<const Manipulator> manipulator, std::string file, Listener listener,
-                     const UniquenessParameters& uniqueness)
+                     const UniquenessParameters& uniqueness, DomainListener on_domains)
     : manipulator_(std::move(manipulator)),
       file_(std::move(file)),
       listener_(std::move(listener)),
+      on_domains_(std::move(on_domains)),
       progress_(empty_report()),
       file_message_(file_.empty() ? "none; see map/file" : "not read yet"),
       domains_(*manipulator_, uniqueness),
@@ -203,7 +204,14 @@ void MapWorker::run() {
 void MapWorker::carry_out(const Request& request) {
   const std::shared_ptr<const AspectMap> before = map();
   make_map(request);
-  if (map() != before) domains_.find(map(), cancelled_);
+  if (map() == before) return;
+  domains_.find(map(), cancelled_);
+  if (!on_domains_) return;
+  try {
+    on_domains_(domains_.known().uniqueness, cancelled_);
+  } catch (const std::exception& failure) {  // which says nothing of the map
+    ROS_WARN_STREAM("Uniqueness domains: what follows on them ended early: " << failure.what() << ".");
+  }
 }
 
 void MapWorker::make_map(const Request& request) {

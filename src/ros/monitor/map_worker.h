@@ -57,10 +57,15 @@ class MapWorker {
   using Listener = std::function<void(const MapProgress&, const std::shared_ptr<const AspectMap>& map)>;
   using Job = std::uint64_t;
 
+  /// Called on the worker thread with the uniqueness domains of a new map; null where there are none. It may
+  /// take long, unless that turns true.
+  using DomainListener =
+      std::function<void(const std::shared_ptr<const Uniqueness>&, const std::atomic<bool>& cancelled)>;
+
   /// `file`: path of the map file; empty for none. `uniqueness`: whether, and how, uniqueness domains are
   /// found when all of that is done.
   MapWorker(std::shared_ptr<const Manipulator> manipulator, std::string file, Listener listener,
-            const UniquenessParameters& uniqueness = {});
+            const UniquenessParameters& uniqueness = {}, DomainListener on_domains = {});
 
   /// Cancels and waits.
   ~MapWorker();
@@ -101,6 +106,7 @@ class MapWorker {
   const std::shared_ptr<const Manipulator> manipulator_;
   const std::string file_;
   const Listener listener_;
+  const DomainListener on_domains_;
 
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;

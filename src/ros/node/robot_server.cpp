@@ -47,7 +47,10 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       worker_(
           setup_.mechanism->mapped_manipulator(), setup_.options.map_file,
           [this](const MapProgress& progress, const auto& map) { on_map_progress(progress, map); },
-          setup_.options.uniqueness),
+          setup_.options.uniqueness,
+          [this](const auto& uniqueness, const auto& cancelled) {
+            display_.set_domains(uniqueness, {{}, &cancelled});
+          }),
       queries_(
           setup_.mechanism->manipulator(), monitor_, worker_,
           [this](const auto& pose, std::string& message) { return to_base(pose, message); },
@@ -313,6 +316,7 @@ void RobotServer::on_map_progress(const MapProgress& progress, const std::shared
   if (map) {
     monitor_.set_map(map);
     display_.set_map(map);
+    display_.set_domains(nullptr);  // those were of the map before
     ROS_INFO_STREAM(progress.message << "\n" << aspect_table(*map));
   } else if (progress.state == MapProgress::COMPLETE) {
     ROS_INFO_STREAM(progress.message);

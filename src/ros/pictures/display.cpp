@@ -2,10 +2,13 @@
 #include "ros/pictures/display.h"
 
 #include "ros/pictures/caption.h"
+#include "ros/pictures/domain_picture.h"
 #include "ros/pictures/gauge_picture.h"
 #include "ros/pictures/map_picture.h"
 #include "ros/pictures/picture_parts.h"
 #include "ros/pictures/slice_picture.h"
+
+#include <ros/console.h>
 
 namespace parallel_aspects {
 namespace {
@@ -36,7 +39,9 @@ Display::Display(const NodeSetup& setup, ros::NodeHandle private_nh)
       markers_(latched(private_nh, "markers")),
       present_markers_(latched(private_nh, "present_markers")),
       position_markers_(latched(private_nh, "position_markers")),
+      uniqueness_markers_(latched(private_nh, "uniqueness_markers")),
       options_(setup.options.display) {
+  set_domains(nullptr);
   set_picture(std::make_shared<const GaugePicture>(manipulator_, frames_, scene_));
 }
 
@@ -65,6 +70,19 @@ void Display::set_map(const std::shared_ptr<const AspectMap>& map) {
     set_picture(std::make_shared<const SlicePicture>(map, frames_, scene_, options));
   const std::lock_guard<std::mutex> lock(mutex_);
   mapped_ = true;
+}
+
+// A cusp is one whichever actuated joint is held: at the same pose three solutions meet. So one joint does.
+void Display::set_domains(const std::shared_ptr<const Uniqueness>& uniqueness, const MapControl& control) {
+  if (!uniqueness) return uniqueness_markers_.publish(MarkerBatch().take());
+  const Manipulator& robot = *uniqueness->map->manipulator();
+  const JointLimits& limits = robot.leg(0).limits;
+  const CuspCurves cusps = find_cusp_curves(robot, {0, limits.lower, limits.upper}, control);
+  const auto markers = domain_markers(*uniqueness, cusps, scene_, control);
+  if (is_cancelled(control)) return;
+  uniqueness_markers_.publish(markers);
+  ROS_INFO_STREAM("Uniqueness domains: drawn on " << uniqueness_markers_.getTopic() << " with "
+                                                  << cusps.curves.size() << " curves of cusps.");
 }
 
 void Display::set_picture(const std::shared_ptr<const Picture>& picture) {

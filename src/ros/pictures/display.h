@@ -2,6 +2,8 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_DISPLAY_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_DISPLAY_H
 
+#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/uniqueness.h"
 #include "ros/monitor/robot_monitor.h"
 #include "ros/parameters/load_options.h"
 #include "ros/pictures/picture.h"
@@ -26,6 +28,10 @@ class Display {
   /// Works out a new picture; may take long. Call from any thread.
   void set_map(const std::shared_ptr<const AspectMap>& map);
 
+  /// Draws what was found of uniqueness domains, and the curves of cusps, which takes some seconds; null
+  /// deletes what was drawn. Call from any thread.
+  void set_domains(const std::shared_ptr<const Uniqueness>& uniqueness, const MapControl& control = {});
+
   /// From now on; a picture that differs is worked out at once.
   void set_options(const DisplayOptions& options);
 
@@ -46,7 +52,7 @@ class Display {
   const std::shared_ptr<const Manipulator> manipulator_;
   const MarkerFrames frames_;
   const Scene scene_;
-  ros::Publisher markers_, present_markers_, position_markers_;
+  ros::Publisher markers_, present_markers_, position_markers_, uniqueness_markers_;
   tf2_ros::StaticTransformBroadcaster static_tf_;
 
   std::mutex mutex_;

@@ -23,6 +23,11 @@ void set_points(Marker& marker, const MarkerBatch::Points& points, double height
   for (const Eigen::Vector2d& at : points) marker.points.push_back(point(at, height));
 }
 
+void set_points(Marker& marker, const std::vector<Eigen::Vector3d>& points) {
+  marker.points.reserve(points.size());
+  for (const Eigen::Vector3d& at : points) marker.points.push_back(point(at.head<2>(), at.z()));
+}
+
 }  // namespace
 
 MarkerBatch::MarkerBatch() {
@@ -52,6 +57,26 @@ void MarkerBatch::triangles(const Plane& plane, const std::string& group, const 
   set_points(marker, corners, height);
   if (!plane.lit)
     marker.colors.assign(marker.points.size(), color);  // rviz lights only markers of one colour
+}
+
+void MarkerBatch::cubes(const Plane& plane, const std::string& group,
+                        const std::vector<Eigen::Vector3d>& centers, const Eigen::Vector3d& edges,
+                        const std_msgs::ColorRGBA& color) {
+  if (centers.empty()) return;
+  Marker& marker = add(plane, group, Marker::CUBE_LIST, color);
+  marker.scale.x = edges.x();
+  marker.scale.y = edges.y();
+  marker.scale.z = edges.z();
+  set_points(marker, centers);
+}
+
+void MarkerBatch::segments(const Plane& plane, const std::string& group,
+                           const std::vector<Eigen::Vector3d>& ends, double width,
+                           const std_msgs::ColorRGBA& color) {
+  if (ends.empty()) return;
+  Marker& marker = add(plane, group, Marker::LINE_LIST, color);
+  marker.scale.x = width;
+  set_points(marker, ends);
 }
 
 void MarkerBatch::lines(const Plane& plane, const std::string& group, const Points& ends, double height,

@@ -30,7 +30,15 @@ class MarkerBatch {
   void triangles(const Plane& plane, const std::string& group, const Points& corners, double height,
                  const std_msgs::ColorRGBA& color);
 
-  /// Segments, two points each. `width` [m].
+  /// Boxes with these edges [m] about points of the plane's frame.
+  void cubes(const Plane& plane, const std::string& group, const std::vector<Eigen::Vector3d>& centers,
+             const Eigen::Vector3d& edges, const std_msgs::ColorRGBA& color);
+
+  /// Segments between points of the plane's frame, two points each. `width` [m].
+  void segments(const Plane& plane, const std::string& group, const std::vector<Eigen::Vector3d>& ends,
+                double width, const std_msgs::ColorRGBA& color);
+
+  /// Segments in the plane, two points each. `width` [m].
   void lines(const Plane& plane, const std::string& group, const Points& ends, double height, double width,
              const std_msgs::ColorRGBA& color);
 

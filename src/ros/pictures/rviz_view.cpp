@@ -2,6 +2,8 @@
 #include "ros/pictures/rviz_view.h"
 
 #include "parallel_aspects/aspects/joint_projection.h"
+#include "parallel_aspects/aspects/uniqueness.h"
+#include "ros/pictures/domain_picture.h"
 #include "ros/pictures/gallery_layout.h"
 #include "ros/pictures/scene.h"
 
@@ -81,6 +83,17 @@ void add_display(const Manipulator& robot, const Scene& scene, std::vector<Vecto
   corners.push_back(above);
 }
 
+// Of aspects that there may be, one of each sign in each working mode; in robots of other task spaces nothing
+// is drawn of their domains.
+void add_domains(const NodeSetup& setup, const Scene& scene, std::vector<Vector3d>& corners) {
+  const Manipulator& robot = *setup.mechanism->manipulator();
+  if (!setup.options.uniqueness.enabled || robot.task_space() != TaskSpace::SE2) return;
+  if (!find_uniqueness_problem(robot, {}).empty()) return;
+  const AlignedBox2d positions(scene.robot.min().head<2>(), scene.robot.max().head<2>());
+  const AlignedBox2d seen = DomainLayout(robot, scene, positions, 2 * working_modes(robot).size()).seen();
+  for (const Vector2d& corner : {seen.min(), seen.max()}) corners.emplace_back(corner.x(), corner.y(), 0.0);
+}
+
 // Corners of all there is to see, in the task frame.
 std::vector<Vector3d> corners_of(const NodeSetup& setup, const Scene& scene, bool with_gallery) {
   std::vector<Vector3d> corners;
@@ -90,6 +103,7 @@ std::vector<Vector3d> corners_of(const NodeSetup& setup, const Scene& scene, boo
     if (scene.planar && corner.y() == scene.robot.min().y()) corner.y() -= caption;
     corners.push_back(corner);
   }
+  add_domains(setup, scene, corners);
   if (!with_gallery) add_display(*setup.mechanism->manipulator(), scene, corners);
   if (!with_gallery || !setup.options.display.gallery) return corners;
   const bool plane = setup.mechanism->manipulator()->task_space() == TaskSpace::T2;

@@ -93,6 +93,8 @@ Pose start_pose(const Mechanism& mechanism, const StartOptions& start) {
   return pose_from_coordinates(mechanism.manipulator()->task_space(), values).value_or(assembled);
 }
 
+double turn_length(const Manipulator& manipulator) noexcept { return manipulator.size(); }
+
 Scene scene_of(const Mechanism& mechanism, const NodeOptions& options) {
   const Manipulator& robot = *mechanism.manipulator();
   Scene scene;

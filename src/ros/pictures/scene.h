@@ -48,6 +48,9 @@ struct Scene {
 /// room: its radius over the robot's size, and the distance of its middle from the robot over that radius.
 inline constexpr double ball_radius = 0.15, ball_distance = 1.8;
 
+/// How long a turn of a robot of SE2 is drawn across the plane: as long as the robot is wide [m].
+double turn_length(const Manipulator& manipulator) noexcept;
+
 /// How far the viewer looks down on a robot that is not planar [rad].
 inline constexpr double view_pitch = 0.3;
 

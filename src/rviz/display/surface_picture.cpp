@@ -52,13 +52,12 @@ const char* color_word(BoundaryKind kind) {
   return "grey";
 }
 
-// One turn is as long as the robot is wide. Of robots that only turn, it is directions of axes that have the
-// size.
+// Of robots that only turn, it is directions of axes that have the size.
 double radian_of(const Manipulator& robot, const PictureChoice& choice) {
   const TaskSpace space = robot.task_space();
   if (space != TaskSpace::SE2 && space != TaskSpace::SO3) return 1.0;
   if (choice.radian > 0.0) return choice.radian;
-  return robot.size() * (space == TaskSpace::SO3 ? 2.0 * ball_radius : 1.0) / (2.0 * pi);
+  return turn_length(robot) * (space == TaskSpace::SO3 ? 2.0 * ball_radius : 1.0) / (2.0 * pi);
 }
 
 std::string listed(const std::set<int>& ids) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Uniqueness domains in the running node: the shipped 3-RPR on the way around two cusps, and around none.
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/singularity/indices.h"
 #include "ros/monitor/cusp_motion.h"
 #include "ros/node/node_client.h"
 #include "ros/node/process.h"
@@ -13,15 +16,18 @@
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <ros/serialization.h>
 
 #include "support/shipped.h"
 #include <actionlib/client/simple_action_client.h>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <functional>
 #include <memory>
 #include <sensor_msgs/JointState.h>
+#include <set>
 #include <string>
 #include <trajectory_msgs/JointTrajectory.h>
 #include <vector>
@@ -285,12 +291,69 @@ TEST_F(UniquenessOfNode, SaysWhetherAPathStaysInADomain) {
   EXPECT_EQ(free.in_one_domain, PlanPathResult::NO);
 }
 
-// What was known begins anew with the robot.
+/// The poses that a marker of the basic regions is drawn at: phi is drawn upward, a turn as high as the robot
+/// is wide.
+std::vector<Pose> poses_of(const visualization_msgs::Marker& marker, const Manipulator& robot) {
+  std::vector<Pose> poses;
+  for (const auto& at : marker.points)
+    poses.push_back(Pose::planar(at.x, at.y, at.z * 2.0 * EIGEN_PI / robot.size()));
+  return poses;
+}
+
+/// Whether these poses have the sign of det A, and are in no other aspect of the map.
+void expect_in_aspect(const AspectMap& map, int id, const std::vector<Pose>& poses) {
+  const Manipulator& robot = *map.manipulator();
+  const Aspect& aspect = map.aspects().at(static_cast<std::size_t>(id - 1));
+  for (const Pose& pose : poses) {
+    ASSERT_TRUE(pose.position.allFinite() && pose.orientation.coeffs().allFinite());
+    const InverseSolution solution = inverse(robot, pose, aspect.mode);
+    ASSERT_EQ(solution.status, InverseStatus::solved);
+    EXPECT_GT(aspect.determinant_sign * direct_determinant(robot, pose, solution.q), 0.0);
+    const int located = map.locate(pose, aspect.mode).aspect;
+    EXPECT_TRUE(located == id || located == 0) << located;
+  }
+}
+
+TEST_F(UniquenessOfNode, DrawsBasicRegionsAndCusps) {
+  ASSERT_TRUE(is_ready());
+  const Recorder<visualization_msgs::MarkerArray> drawn("/aspect_node/uniqueness_markers");
+  ASSERT_TRUE(eventually([&] { return drawn.last() && drawn.last()->markers.size() > 1; }));
+  const visualization_msgs::MarkerArray array = *drawn.last();
+  EXPECT_EQ(array.markers.front().action, visualization_msgs::Marker::DELETEALL);
+  EXPECT_LT(ros::serialization::serializationLength(array), 5000000U);
+  const auto map = compute_aspect_map(robot_).map;
+  const WorkingMode mode = map->working_modes().front();
+  std::set<std::string> regions;
+  std::size_t cubes = 0, cusps = 0;
+  for (const visualization_msgs::Marker& marker : array.markers) {
+    const std::vector<Pose> poses = poses_of(marker, *robot_);
+    for (std::size_t i = 0; i < poses.size() && marker.ns.find("/cusps") != std::string::npos; ++i, ++cusps)
+      EXPECT_LT(parallel_index(*robot_, poses[i], inverse(*robot_, poses[i], mode).q), 1e-6);
+    if (marker.type != visualization_msgs::Marker::CUBE_LIST) continue;
+    EXPECT_TRUE(regions.insert(marker.ns).second) << marker.ns;
+    int aspect = 0, region = 0;
+    ASSERT_EQ(std::sscanf(marker.ns.c_str(), "aspect %d/basic region %d", &aspect, &region), 2) << marker.ns;
+    expect_in_aspect(*map, aspect, poses);
+    cubes += poses.size();
+  }
+  EXPECT_GE(regions.size(), 20U);
+  EXPECT_GT(cubes, 5000U);
+  EXPECT_GT(cusps, 500U);
+}
+
+// What was known begins anew with the robot, and what was drawn is deleted.
 TEST_F(UniquenessOfNode, BeginsAnewWithAReload) {
   ASSERT_TRUE(is_ready());
   start_at(1);
   play(around(0));
+  const Recorder<visualization_msgs::MarkerArray> drawn("/aspect_node/uniqueness_markers");
+  const auto is_empty = [](const visualization_msgs::MarkerArray& array) {
+    return array.markers.size() == 1;
+  };
+  ASSERT_TRUE(eventually([&] { return drawn.last() && !is_empty(*drawn.last()); }));
   EXPECT_EQ(test::call<Reload>("reload", {}).status.code, Status::OK);
+  EXPECT_TRUE(eventually([&] { return drawn.first(is_empty).has_value(); }));
+  EXPECT_TRUE(eventually([&] { return !is_empty(*drawn.last()); }));
   ASSERT_TRUE(eventually([this] { return joints_.getNumSubscribers() > 0 && states_.connected(); }));
   EXPECT_TRUE(is_ready());
   const UniquenessState state = play(test::values_with_six_solutions()).uniqueness;
