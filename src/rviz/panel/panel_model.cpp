@@ -93,6 +93,31 @@ Banner banner_of_followed(const AspectState& state) {
   return banner;
 }
 
+// Of the basic region, or the last one that was proved, and that where tracking began.
+std::string sharing_of(const UniquenessState& domains) {
+  const std::string reference = std::to_string(domains.reference_region);
+  if (domains.warns || domains.sharing == UniquenessState::APART)
+    return "in no known domain with " + reference;
+  if (domains.sharing == UniquenessState::SHARED) return "in one domain with " + reference;
+  return "perhaps in no domain with " + reference;
+}
+
+std::string text_of(const UniquenessState& domains) {
+  const bool is_known = domains.basic_region != 0;
+  const std::string region =
+      is_known ? "Basic region " + std::to_string(domains.basic_region) : "Basic region not known";
+  if (domains.reference_region == 0) return region;
+  if (domains.basic_region == domains.reference_region) return region + ", where tracking began";
+  return region + (is_known ? ", " : ", last ") + sharing_of(domains);
+}
+
+DomainLine line_of_regions(const UniquenessState& domains) {
+  return {domains.warns ? Tone::warn : Tone::clear, text_of(domains),
+          "Uniqueness domains that hold it: " + std::to_string(domains.domains.size()) +
+              ". While one also holds the basic region where tracking began, the actuated joints alone tell "
+              "the pose."};
+}
+
 const char* name_of(Hazard hazard) {
   switch (hazard) {
     case Hazard::parallel:
@@ -226,6 +251,24 @@ Banner banner_of(const NodeView& view) {
             view.node + " has said nothing for " + number_text(std::floor(view.silence), 6) +
                 " s. Last: " + place_of(state)};
   return banner_of_followed(state);
+}
+
+DomainLine domain_line_of(const NodeView& view) {
+  if (!view.connected || !view.state) return {};
+  const UniquenessState& domains = view.state->uniqueness;
+  switch (domains.known) {
+    case UniquenessState::WAITING:
+      return {Tone::unknown, "Uniqueness domains are being computed", "They come after the map."};
+    case UniquenessState::ASPECTS:
+      return {Tone::clear, "Each aspect is a uniqueness domain",
+              "In it the actuated joints tell the pose, by a theorem."};
+    case UniquenessState::REGIONS:
+      if (view.state->status.code == Status::OK && view.silence <= too_silent)
+        return line_of_regions(domains);
+      return {Tone::unknown, "Basic region not known", "The robot is not followed."};
+    default:
+      return {};
+  }
 }
 
 double scale_of(const NodeView& view) {

@@ -62,6 +62,15 @@ struct Banner {
 
 Banner banner_of(const NodeView& view);
 
+/// Of uniqueness domains, in one line; without a text where there is nothing to say.
+struct DomainLine {
+  Tone tone = Tone::unknown;
+  std::string text;
+  std::string tip;  ///< what it means
+};
+
+DomainLine domain_line_of(const NodeView& view);
+
 /// One distance, to be drawn as a bar.
 struct DistanceGauge {
   std::string name;

@@ -36,6 +36,7 @@ StateWidget::StateWidget(OnChoice on_choice, QWidget* parent)
       on_choice_(std::move(on_choice)),
       title_(wrapped_label("state_title")),
       text_(wrapped_label("state_text")),
+      domains_(wrapped_label("domains")),
       scale_(new QLabel),
       pages_(new QStackedWidget),
       candidate_box_(new QWidget),
@@ -45,6 +46,7 @@ StateWidget::StateWidget(OnChoice on_choice, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(title_);
   layout->addWidget(text_);
+  layout->addWidget(domains_);
   candidate_layout_->setContentsMargins(0, 0, 0, 0);
   candidate_layout_->addWidget(candidate_text_);
   text_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -82,6 +84,7 @@ QWidget* StateWidget::candidate_page() {
 
 void StateWidget::show_view(const NodeView& view) {
   show_banner(banner_of(view));
+  show_domains(domain_line_of(view));
   const auto gauges = gauges_of(view);
   for (std::size_t i = 0; i < bars_.size(); ++i) bars_[i]->show_gauge(gauges[i]);
   scale_->setText(shown("bars: proved distance, full at " + number_text(scale_of(view)) + " m"));
@@ -97,6 +100,17 @@ void StateWidget::show_banner(const Banner& banner) {
   title_->setStyleSheet(
       QString("background: %1; color: %2; font-weight: bold; padding: 3px 6px; border-radius: 3px")
           .arg(color_of(banner.tone).name(), ink));
+}
+
+void StateWidget::show_domains(const DomainLine& line) {
+  domains_->setVisible(!line.text.empty());
+  domains_->setText(shown(line.text));
+  domains_->setToolTip(shown(line.tip));
+  if (domains_tone_ == static_cast<int>(line.tone)) return;
+  domains_tone_ = static_cast<int>(line.tone);
+  domains_->setStyleSheet(line.tone == Tone::warn
+                              ? QString("background: %1; color: black").arg(color_of(line.tone).name())
+                              : QString());
 }
 
 void StateWidget::show_candidates(const NodeView& view) {

@@ -31,12 +31,14 @@ class StateWidget : public QWidget {
   QWidget* bar_page();
   QWidget* candidate_page();
   void show_banner(const Banner& banner);
+  void show_domains(const DomainLine& line);
   void show_candidates(const NodeView& view);
   void resize_candidates(std::size_t count);
 
   OnChoice on_choice_;
   QLabel* title_;
   QLabel* text_;
+  QLabel* domains_;
   std::array<DistanceBar*, 3> bars_{};
   QLabel* scale_;
   QStackedWidget* pages_;  // bars, or candidates
@@ -45,7 +47,7 @@ class StateWidget : public QWidget {
   QVBoxLayout* candidate_layout_;
   std::vector<QPushButton*> buttons_;
   std::vector<SolvedConfiguration> candidates_;  // of the buttons
-  int tone_ = -1;                                // that the title has; none yet
+  int tone_ = -1, domains_tone_ = -1;            // that the title and the line of domains have; none yet
 };
 
 }  // namespace parallel_aspects

@@ -94,6 +94,46 @@ TEST(PanelModel, NamesLevelPlaceAndReason) {
   EXPECT_EQ(banner_of(view).tone, Tone::unknown);
 }
 
+TEST(PanelModel, NamesTheBasicRegionAndWhetherADomainHoldsWhereTrackingBegan) {
+  NodeView view = followed();
+  UniquenessState& domains = view.state->uniqueness;
+  const auto expect_line = [&view](const char* text, Tone tone) {
+    EXPECT_EQ(domain_line_of(view).text, text);
+    EXPECT_EQ(domain_line_of(view).tone, tone) << text;
+  };
+  domains.known = UniquenessState::REGIONS;
+  expect_line("Basic region not known", Tone::clear);
+  domains.basic_region = domains.reference_region = 3;
+  domains.sharing = UniquenessState::SHARED;
+  expect_line("Basic region 3, where tracking began", Tone::clear);
+  domains.basic_region = 7;
+  domains.domains = {1, 5};
+  expect_line("Basic region 7, in one domain with 3", Tone::clear);
+  expect_words(domain_line_of(view).tip, {"hold it: 2."});
+  domains.sharing = UniquenessState::UNKNOWN;
+  expect_line("Basic region 7, perhaps in no domain with 3", Tone::clear);
+  domains.sharing = UniquenessState::APART;
+  domains.warns = true;
+  expect_line("Basic region 7, in no known domain with 3", Tone::warn);
+  domains.basic_region = 0;  // in a strip
+  expect_line("Basic region not known, last in no known domain with 3", Tone::warn);
+  view.state->status.code = Status::STALE;
+  expect_line("Basic region not known", Tone::unknown);
+}
+
+TEST(PanelModel, SaysOfUniquenessDomainsWhatIsKnown) {
+  NodeView view = followed();
+  EXPECT_TRUE(domain_line_of(NodeView()).text.empty());
+  for (const auto known : {UniquenessState::OFF, UniquenessState::NONE}) {
+    view.state->uniqueness.known = known;
+    EXPECT_TRUE(domain_line_of(view).text.empty()) << int{known};
+  }
+  view.state->uniqueness.known = UniquenessState::WAITING;
+  EXPECT_EQ(domain_line_of(view).text, "Uniqueness domains are being computed");
+  view.state->uniqueness.known = UniquenessState::ASPECTS;
+  EXPECT_EQ(domain_line_of(view).text, "Each aspect is a uniqueness domain");
+}
+
 TEST(PanelModel, SaysThatANodeIsSilentWhereItsRobotWasFollowed) {
   NodeView view = followed();
   view.silence = 3.7;
