@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/regular_workspace.h"
 #include "parallel_aspects/aspects/uniqueness.h"
+#include "tools/held_range.h"
 #include "tools/report/uniqueness_report.h"
 #include "tools/report/workspace_report.h"
 #include "tools/shape_arguments.h"
@@ -123,12 +124,23 @@ py::object uniqueness(const CoreRobot& robot, const std::string& slice, const py
   return object_of(tools::report_uniqueness(*result.uniqueness).json);
 }
 
+py::object cusp_curves(const CoreRobot& robot, const std::string& over, const py::object& progress) {
+  Problems problems;
+  const HeldRange range = tools::parse_held_range("over", *robot.manipulator, over, problems);
+  refuse_any(problems);
+  const CuspCurves found = run_long(progress, [&](const MapControl& control) {
+    return find_cusp_curves(*robot.manipulator, range, control);
+  });
+  return object_of(tools::report_cusp_curves(*robot.manipulator, found).json);
+}
+
 }  // namespace
 
 void bind_design(RobotClass& robot, MapClass& map) {
   map.def("workspace", workspaces);
   robot.def("sweep", sweep);
   robot.def("uniqueness", uniqueness);
+  robot.def("cusp_curves", cusp_curves);
 }
 
 }  // namespace parallel_aspects::python

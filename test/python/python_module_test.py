@@ -210,6 +210,21 @@ def test_sweeps_go_on(robot, tmp_path):
     assert pa.read_sweep(file).names() == whole.names()
 
 
+def test_curves_of_cusps_hold_the_cusps_of_a_slice():
+    robot = pa.load("three_rpr")
+    found = robot.cusp_curves({"strut_1_joint": (26, 27)})
+    assert found["cusp_curves_complete"] and found["held_joint"] == "strut_1_joint"
+    for curve in found["cusp_curves"]:
+        assert curve["poses"].shape == curve["q"].shape == (len(curve["points"]), 3)
+        assert robot.inverse(curve["poses"][1:-1], "(+,+,+)") == pytest.approx(curve["q"][1:-1], abs=1e-6)
+        assert robot.indices(curve["poses"], "(+,+,+)")[0].max() < 1e-6  # det A = 0
+    for value in (26.4, 26.79, 26.9):
+        cusps = robot.uniqueness({"strut_1_joint": value})["cusps"]
+        assert [len(cusps)] == [each["cusps"] for each in found["cusp_counts"] if each["lower"] <= value <= each["upper"]]
+        crossings = [np.diff(np.sign(curve["q"][:, 0] - value)).astype(bool).sum() for curve in found["cusp_curves"]]
+        assert sum(crossings) == len(cusps)
+
+
 @pytest.mark.parametrize("name", pa.robots())
 def test_shipped_robots(name):
     robot = pa.load(name)
@@ -251,6 +266,7 @@ BAD = {
     "resolution is -1": lambda robot, aspects: robot.map(resolution=-1),
     "no coordinate 'q'": lambda robot, aspects: robot.map(slice={"q": 1}),
     "region has 'z": lambda robot, aspects: robot.map(region={"z": (0, 1)}),
+    "over names 'crank'": lambda robot, aspects: robot.cusp_curves("crank"),
     "no shipped robot": lambda robot, aspects: pa.load("six_bar"),
     "map is of another robot": lambda robot, aspects: pa.load("five_bar").choose([0], [(4.5, 8)], map=aspects),
     "crank length of -1": lambda robot, aspects: robot.with_lengths({"crank_1": -1}),

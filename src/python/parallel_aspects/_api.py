@@ -336,6 +336,16 @@ class Robot:
         `aspects uniqueness` in JSON."""
         return self._core.uniqueness(values_text(slice), real("resolution", resolution), progress)
 
+    def cusp_curves(self, over: "Union[str, Ranges]", progress: Progress = None) -> Dict[str, Any]:
+        """The curves that cusps form while an actuated joint is held at each value of a range in turn [m or rad], as
+        {"strut_1_joint": (10, 32)}, or by its name within its limits: the answer of `aspects uniqueness --cusps-over` in
+        JSON. Of the `points` of a curve, in turn, there are arrays besides: `poses` (n, k) and `q` (n, legs)."""
+        answer = self._core.cusp_curves(ranges_text(over), progress)
+        for curve in answer["cusp_curves"]:
+            curve["poses"] = np.array([[point["pose"][name] for name in self.coordinates] for point in curve["points"]])
+            curve["q"] = np.array([point["actuated"] for point in curve["points"]])
+        return answer
+
 
 def read_sweep(file: "Union[str, os.PathLike]") -> Sweep:
     """The rows of a file that `Robot.sweep`, `aspects sweep` or `aspects merge` wrote."""

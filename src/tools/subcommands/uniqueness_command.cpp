@@ -4,6 +4,7 @@
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/drawing/uniqueness_drawing.h"
+#include "tools/held_range.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
 #include "tools/picture_file.h"
@@ -23,39 +24,13 @@ struct UniquenessArguments {
   ConstraintArguments constraints;
 };
 
-/// "strut_1_joint=10:32", or the name alone: within its limits.
-HeldRange parse_held_range(const Manipulator& robot, const std::string& text, Problems& problems) {
-  const std::string joint = text.substr(0, text.find('='));
-  HeldRange range;
-  std::string joints;
-  while (range.leg < robot.leg_count() && robot.leg(range.leg).actuated_joint != joint)
-    joints += (joints.empty() ? "" : ", ") + robot.leg(range.leg++).actuated_joint;
-  if (range.leg == robot.leg_count()) {
-    problems.push_back("--cusps-over names '" + joint + "'; give one of the actuated joints: " + joints +
-                       ".");
-    return range;
-  }
-  const JointLimits& limits = robot.leg(range.leg).limits;
-  range.lower = limits.lower;
-  range.upper = limits.upper;
-  if (joint == text) return range;
-  const Box box = parse_region("--cusps-over", {joint}, text, problems);
-  range.lower = box.lower[0];
-  range.upper = box.upper[0];
-  return range;
-}
-
 Report report_of_curves(const UniquenessArguments& arguments, const Manipulator& robot, Problems problems,
                         const Surroundings& surroundings) {
   for (const auto& [option, text] : {std::pair<std::string, const std::string&>{"--slice", arguments.slice},
                                      {"--resolution", arguments.resolution}})
     if (!text.empty())
       problems.push_back("--cusps-over lists curves of cusps alone; leave " + option + " or it out.");
-  const HeldRange range = parse_held_range(robot, arguments.cusps_over, problems);
-  if (problems.empty()) {
-    const std::string problem = find_held_range_problem(robot, range);
-    if (!problem.empty()) problems.push_back(problem);
-  }
+  const HeldRange range = parse_held_range("--cusps-over", robot, arguments.cusps_over, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const ShownComputation shown(surroundings);
   const CuspCurves found = find_cusp_curves(robot, range, shown.control());
