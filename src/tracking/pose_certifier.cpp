@@ -284,6 +284,26 @@ int PoseCertifier::entry_sign(const CertifiedPoint& point, std::size_t leg, doub
   return entry.positive() ? 1 : entry.negative() ? -1 : 0;
 }
 
+// F changes its sign between the joint values on both sides.
+bool PoseCertifier::assembles_within(const CertifiedPoint& point,
+                                     const TaskVector& allowance) const noexcept {
+  assert_rounding_upward();
+  RotationRows<Interval> turn;
+  if (rotational_ > 0) turn = enclosed_rotation(point.pose.orientation);
+  const auto half_residual = [&](std::size_t leg, double q) {
+    return legs_[leg].enclose(point.pose, rotational_ > 0 ? &turn : nullptr, q).half_residual;
+  };
+  for (std::size_t j = 0; j < size_; ++j) {
+    const auto i = static_cast<Eigen::Index>(j);
+    // Half of it, so that what the sums are rounded by does not lead out of it.
+    const double below = point.q[i] - 0.5 * allowance[i], above = point.q[i] + 0.5 * allowance[i];
+    if (!(point.q[i] - below <= allowance[i] && above - point.q[i] <= allowance[i])) return false;
+    const Interval first = half_residual(j, below), last = half_residual(j, above);
+    if (!(first.positive() && last.negative()) && !(first.negative() && last.positive())) return false;
+  }
+  return true;
+}
+
 int PoseCertifier::determinant_sign(const CertifiedPoint& point) const noexcept {
   std::array<LegEnclosure, max_legs> legs;
   return proved_determinant_sign(size_, enclosed_matrix(point, legs));

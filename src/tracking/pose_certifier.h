@@ -86,6 +86,10 @@ class PoseCertifier {
   /// `distance`, and the actuated joint within `change` of its value [rad or m]; 0 where that is not proved.
   int entry_sign(const CertifiedPoint& point, std::size_t leg, double radius, double change) const noexcept;
 
+  /// Whether it is proved of each leg that a joint value within `allowance` of that at `point` [rad or m]
+  /// assembles it with `point.pose` itself.
+  bool assembles_within(const CertifiedPoint& point, const TaskVector& allowance) const noexcept;
+
   /// The sign of det A at `point`, and so in each ball around it; 0 where that is not proved.
   int determinant_sign(const CertifiedPoint& point) const noexcept;
 

@@ -106,9 +106,10 @@ std::string find_uniqueness_problem(const Manipulator& manipulator, const Unique
                                " every aspect is a uniqueness domain as a whole; leave the slice out."
                          : "";
   if (space == TaskSpace::SE2) return find_problem_in_se2(manipulator, options);
-  return "Where direct solutions meet is found in T1, T2, T3 and slices of SE2, and " +
-         in_quotes(manipulator.name()) + " moves in " + std::string(name(space)) +
-         "; `direct` has its solutions for given actuated values.";
+  return "Uniqueness domains are found in T1, T2, T3 and SE2, and " + in_quotes(manipulator.name()) +
+         " moves in " + std::string(name(space)) +
+         "; `aspects uniqueness` tells in which of its aspects more than one pose has the same actuated "
+         "values.";
 }
 
 }  // namespace parallel_aspects

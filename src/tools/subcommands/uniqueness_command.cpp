@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/uniqueness/uniqueness_problem.h"
+#include "motion/assembly_survey.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/drawing/uniqueness_drawing.h"
 #include "tools/held_range.h"
+#include "tools/motion_report/assembly_report.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
 #include "tools/picture_file.h"
@@ -18,9 +20,12 @@
 namespace parallel_aspects::tools {
 namespace {
 
+constexpr unsigned default_poses = 1000, most_poses = 1000000;
+
 struct UniquenessArguments {
   RobotChoice robot;
-  std::string slice, cusps_over, resolution, picture;  // empty where not given
+  std::string slice, cusps_over, resolution, picture, poses;  // empty where not given
+  RoadmapArguments roadmap;
   ConstraintArguments constraints;
 };
 
@@ -39,6 +44,34 @@ Report report_of_curves(const UniquenessArguments& arguments, const Manipulator&
   return report_cusp_curves(robot, found);
 }
 
+/// Where there is no theorem and there are no slices.
+bool is_surveyed(const Manipulator& robot) {
+  return !has_one_solution_a_sign(robot.task_space()) && robot.task_space() != TaskSpace::SE2;
+}
+
+Report report_of_survey(const UniquenessArguments& arguments, const std::shared_ptr<const Manipulator>& robot,
+                        Problems problems, const Surroundings& surroundings) {
+  for (const auto& [option, text] : {std::pair<std::string, const std::string&>{"--slice", arguments.slice},
+                                     {"--cusps-over", arguments.cusps_over},
+                                     {"--resolution", arguments.resolution},
+                                     {"--picture", arguments.picture}})
+    if (!text.empty())
+      problems.push_back("In " + std::string(name(robot->task_space())) +
+                         " a roadmap is looked at, which has no " + option + "; leave it out.");
+  const RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
+  const unsigned poses =
+      arguments.poses.empty() ? default_poses : parse_count("--poses", arguments.poses, most_poses, problems);
+  if (robot->tolerance() > 0.0)
+    problems.push_back("Direct solutions are of a robot without tolerances, and '" + robot->name() +
+                       "' has some; leave them out.");
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  const auto roadmap = compute_roadmap(robot, options, surroundings);
+  const ShownComputation shown(surroundings);
+  const auto survey = survey_assembly_modes(*roadmap, poses, shown.control());
+  if (!survey) throw Interrupted{};
+  return report_assembly_survey(*roadmap, *survey);
+}
+
 Report report_of(const UniquenessArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
@@ -47,6 +80,15 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
   check_distinct_files({{"--picture", arguments.picture}},
                        {{"--urdf", arguments.robot.urdf_file}, {"--config", arguments.robot.config_file}},
                        problems);
+  if (is_surveyed(*manipulator))
+    return report_of_survey(arguments, manipulator, std::move(problems), surroundings);
+  for (const auto& [option, text] :
+       {std::pair<std::string, const std::string&>{"--samples", arguments.roadmap.samples},
+        {"--seed", arguments.roadmap.seed},
+        {"--poses", arguments.poses}})
+    if (!text.empty())
+      problems.push_back(option + " is of the roadmap of SO3 or SE3, and '" + manipulator->name() +
+                         "' moves in " + std::string(name(manipulator->task_space())) + "; leave it out.");
   if (!arguments.cusps_over.empty())
     return report_of_curves(arguments, *manipulator, std::move(problems), surroundings);
   UniquenessOptions options;
@@ -91,6 +133,14 @@ Subcommand uniqueness_subcommand() {
                      "Draw the poses of the slice and its actuated values, with singular curves, cusps and "
                      "numbers of solutions, or the curves of cusps, as SVG or PNG",
                      &arguments->picture});
+  options.push_back({"--samples", "N", "In SO3 and SE3: poses of the certified roadmap, by default 1000",
+                     &arguments->roadmap.samples});
+  options.push_back(
+      {"--seed", "N", "In SO3 and SE3: seed of its poses, by default 1", &arguments->roadmap.seed});
+  options.push_back({"--poses", "N",
+                     "In SO3 and SE3: configurations of the roadmap whose direct solutions are looked at, by "
+                     "default 1000; some milliseconds each",
+                     &arguments->poses});
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {"uniqueness",
           "Tell which poses of an aspect have the same actuated values, and where direct solutions meet",

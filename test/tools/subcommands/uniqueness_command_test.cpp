@@ -52,5 +52,46 @@ TEST_F(UniquenessCommand, RefusesRangesThatAreNone) {
   EXPECT_NE(slice.messages.find("leave --slice"), std::string::npos) << slice.messages;
 }
 
+TEST_F(UniquenessCommand, LooksAtARoadmapOfAHexapod) {
+  const Outcome outcome =
+      run({"uniqueness", "stewart", "--samples", "200", "--seed", "3", "--poses", "40", "--json"});
+  ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages;
+  const json found = json::parse(outcome.output);
+  EXPECT_EQ(found["task_space"], "SE3");
+  EXPECT_EQ(found["samples"], 200);
+  EXPECT_EQ(found["seed"], 3);
+  EXPECT_EQ(found["poses"], 40);
+  std::size_t changes = 0, poses = 0;
+  for (const json& component : found["components"]) {
+    for (const json& each : component["solutions_in_aspect"]) poses += each["poses"].get<std::size_t>();
+    const json& change = component["assembly_change"];
+    if (change.is_null()) continue;
+    ++changes;
+    EXPECT_EQ(change["actuated"].size(), 6U);
+    EXPECT_EQ(change["path"].front(), change["from"]["pose"]);
+    EXPECT_EQ(change["path"].back(), change["to"]["pose"]);
+    EXPECT_EQ(change["proved"], true);
+  }
+  EXPECT_EQ(poses, 40U);
+  EXPECT_GT(changes, 0U);
+  const Outcome text = run({"uniqueness", "stewart", "--samples", "200", "--seed", "3", "--poses", "40"});
+  EXPECT_NE(text.output.find("no, proved"), std::string::npos) << text.output;
+  EXPECT_NE(text.output.find("lower bounds"), std::string::npos) << text.output;
+}
+
+TEST_F(UniquenessCommand, RefusesWhatIsOfOtherTaskSpaces) {
+  for (const std::vector<const char*>& arguments :
+       {std::vector<const char*>{"uniqueness", "stewart", "--slice", "strut_1_joint=1"},
+        {"uniqueness", "stewart", "--poses", "some"},
+        {"uniqueness", "stewart", "--tolerance", "0.001"},
+        {"uniqueness", "five_bar", "--poses", "10"},
+        {"uniqueness", "three_rpr", "--samples", "10", "--slice", "strut_1_joint=14.98"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << arguments[1] << ' ' << arguments[2];
+    EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
+    EXPECT_EQ(outcome.output, "");
+  }
+}
+
 }  // namespace
 }  // namespace parallel_aspects::tools
