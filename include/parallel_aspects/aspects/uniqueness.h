@@ -9,6 +9,7 @@
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -26,6 +27,16 @@ struct Cusp {
   Pose pose;             ///< where the three meet
   /// A box about the pose, of half this width in the direction of the held rod and in phi [rad], is proved to
   /// hold exactly one cusp, an ordinary one.
+  double accuracy = 0.0;
+};
+
+/// Where two pairs of direct solutions of a slice meet at once: two singular poses of the same actuated
+/// values, where the image of det A = 0 crosses itself.
+struct SolutionNode {
+  JointVector actuated;       ///< all actuated joints, that which is held among them [m]
+  std::array<Pose, 2> poses;  ///< where either pair meets
+  /// Boxes about both, of half this width in the direction of the held rod and in phi [rad], are proved to
+  /// hold exactly one such pair of poses.
   double accuracy = 0.0;
 };
 
@@ -157,7 +168,9 @@ struct Uniqueness {
   /// Of a slice, within limits, by rising actuated values. Of all poses cusps form curves, and none are
   /// listed.
   std::vector<Cusp> cusps;
-  bool cusps_complete = false;  ///< it is proved that there are no others within limits
+  bool cusps_complete = false;      ///< it is proved that there are no others within limits
+  std::vector<SolutionNode> nodes;  ///< likewise, of slices of robots with three struts
+  bool nodes_complete = false;      ///< it is proved that there are no others within limits
   /// Whether what is below was looked for, of robots with three struts; else it is empty.
   bool has_regions = false;
   std::string region_unit;                       ///< of measures of actuated values: "m^2" or "m^3"

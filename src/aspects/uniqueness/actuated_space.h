@@ -3,8 +3,8 @@
 #define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_ACTUATED_SPACE_H
 
 #include "aspects/components/disjoint_sets.h"
+#include "aspects/cusps/singular_images.h"
 #include "aspects/cusps/strut_slice.h"
-#include "aspects/uniqueness/singular_images.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_control.h"
 

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/uniqueness/strut_uniqueness.h"
 
+#include "aspects/cusps/cusp_search.h"
+#include "aspects/cusps/held_slice.h"
+#include "aspects/cusps/singular_images.h"
 #include "aspects/uniqueness/actuated_space.h"
 #include "aspects/uniqueness/basic_regions.h"
+#include "aspects/uniqueness/node_search.h"
 #include "aspects/uniqueness/path_in_regions.h"
-#include "aspects/uniqueness/singular_images.h"
 #include "aspects/uniqueness/solution_regions.h"
 #include "aspects/uniqueness/strut_poses.h"
 #include "aspects/uniqueness/uniqueness_domains.h"
 #include "interval/rounding.h"
+#include "model/angles.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 
 #include <algorithm>
@@ -197,12 +201,54 @@ void find_domains(std::size_t most_cells, const MapControl& control, Uniqueness&
   }
 }
 
+/// Whether both struts that move are within limits at the pose of a box.
+Verdict within_limits(const StrutSlice& slice, const Box& box) {
+  Verdict all = Verdict::holds;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Interval g = slice.half_square<0>(i, SliceTurns(ranges_of(box))).value();
+    const auto& [least, most] = slice.limits(i);
+    if (g.upper() < least.lower() || g.lower() > most.upper()) return Verdict::fails;
+    if (!(g.lower() > least.upper() && g.upper() < most.lower())) all = Verdict::unknown;
+  }
+  return all;
+}
+
+/// The nodes of the slice of the map.
+void find_nodes(const MapControl& control, Uniqueness& result) {
+  const RoundingUpward rounding;
+  const Manipulator& robot = *result.map->manipulator();
+  const MapSlice& of_map = *result.map->slice();
+  const StrutSlice slice(robot, of_map);
+  const StrutPoses poses(robot, slice, of_map.joint->value);
+  std::vector<Box> cusps;
+  for (const CuspBox& cusp : find_cusp_boxes(HeldSlice(robot, of_map), control).cusps)
+    cusps.push_back(cusp.box);
+  const NodeBoxes found = find_node_boxes(slice, cusps, control);
+  result.nodes_complete = !found.cancelled;
+  for (const auto& [first, second] : found.undecided)
+    if (within_limits(slice, first) != Verdict::fails && within_limits(slice, second) != Verdict::fails)
+      result.nodes_complete = false;
+  for (const auto& [first, second] : found.nodes) {
+    const Verdict verdict = within_limits(slice, first);
+    if (verdict == Verdict::unknown) result.nodes_complete = false;
+    if (verdict != Verdict::holds) continue;
+    const Pose pose = poses.pose(first, {});
+    const double width = std::max({first.width(0), first.width(1), second.width(0), second.width(1)});
+    result.nodes.push_back({poses.actuated(pose), {pose, poses.pose(second, {})}, 0.5 * pi * width});
+  }
+  std::sort(result.nodes.begin(), result.nodes.end(), [](const SolutionNode& a, const SolutionNode& b) {
+    return std::lexicographical_compare(a.actuated.data(), a.actuated.data() + a.actuated.size(),
+                                        b.actuated.data(), b.actuated.data() + b.actuated.size());
+  });
+}
+
 }  // namespace
 
 void find_regions_of_struts(const UniquenessOptions& options, const MapControl& control, Uniqueness& result) {
   const std::size_t most_cells = options.most_cells.value_or(default_most_cells);
   result.has_regions = true;
   result.region_unit = result.map->slice() ? "m^2" : "m^3";
+  if (result.map->slice()) find_nodes(control, result);
   find_numbers(most_cells, part_of(control, 0.0, 0.4), result);
   if (!is_cancelled(control)) find_domains(most_cells, part_of(control, 0.4, 1.0), result);
 }

@@ -108,7 +108,7 @@ void look_into(const Manipulator& manipulator, const UniquenessOptions& options,
 /// By the theorem.
 void take_whole_aspects(Uniqueness& result) {
   result.at_most_one_a_sign = true;
-  result.cusps_complete = true;
+  result.cusps_complete = result.nodes_complete = true;
   for (const Aspect& aspect : result.map->aspects()) result.domains.push_back({aspect.id, true, {}, 0.0});
 }
 

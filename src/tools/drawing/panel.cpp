@@ -160,6 +160,8 @@ class Panel {
       for (const auto& [radius, color] :
            {std::pair{mark_radius + 1.0, Rgb{0xFFFFFF}}, {mark_radius, ink_color}})
         picture.elements.emplace_back(PageArea{{dot(at, radius)}, color, ""});
+      if (mark.is_ring)
+        picture.elements.emplace_back(PageArea{{dot(at, mark_radius - 1.0)}, Rgb{0xFFFFFF}, ""});
       picture.elements.emplace_back(PageText{at + PagePoint(mark_radius + 2.0, -mark_radius), Anchor::start,
                                              caption_size, mark.label, ink_color, true, Rgb{0xFFFFFF}});
     }

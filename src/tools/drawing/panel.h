@@ -52,6 +52,7 @@ struct PanelLine {
 struct PanelMark {
   Eigen::Vector2d at;  ///< in its coordinates
   std::string label;
+  bool is_ring = false;  ///< a circle in place of a dot
 };
 
 /// What is in a panel.
@@ -67,7 +68,7 @@ struct PanelContents {
   std::vector<ImageLabel> image_labels;
   std::vector<std::vector<Eigen::Vector2d>> outlines{};  ///< lines over everything else
   std::vector<PanelLine> lines{};
-  std::vector<PanelMark> marks{};  ///< dots over these
+  std::vector<PanelMark> marks{};  ///< dots or circles over these
 };
 
 /// How large a panel is without what is written around it, in a square of this side [px].

@@ -56,6 +56,8 @@ class UniquenessDrawing {
             ". On the left, edges between colours that are not singular are characteristic curves.",
         "Dots: cusps" +
             std::string(uniqueness_.cusps_complete ? ", proved to be all." : ", perhaps not all.") +
+            " Circles: nodes, with the two poses of each" +
+            std::string(uniqueness_.nodes_complete ? ", proved to be all." : ", perhaps not all.") +
             " Curves are drawn for the eye."};
     page.figures = {{"", {}, {poses(), actuated_values()}}};
     page.legend = legend();
@@ -72,12 +74,15 @@ class UniquenessDrawing {
     });
     panel.segments = segments_;
     const AnchorCircle circle = circle_of_anchor(robot_, *uniqueness_.map->slice()->joint);
-    mark_cusps(panel, [&](const Cusp& cusp) {
-      const Vector2d rod = circle.rod(cusp.pose);
-      const auto& turn = cusp.pose.orientation;
+    const auto place = [&](const Pose& pose) {
+      const Vector2d rod = circle.rod(pose);
+      const auto& turn = pose.orientation;
       return Vector2d(std::atan2(rod.y(), rod.x()),
                       std::remainder(2.0 * std::atan2(turn.z(), turn.w()), 2.0 * pi));
-    });
+    };
+    mark_cusps(panel, [&](const Cusp& cusp) { return place(cusp.pose); });
+    for (std::size_t i = 0; i < uniqueness_.nodes.size(); ++i)
+      for (const Pose& pose : uniqueness_.nodes[i].poses) panel.marks.push_back(node_mark(place(pose), i));
     return panel;
   }
 
@@ -94,9 +99,10 @@ class UniquenessDrawing {
     panel.shapes =
         numbers({window.lower, window.upper}, [this](const Vector2d& at) { return actuated_at(at); });
     panel.segments = projection_.images(segments_, mode_);
-    mark_cusps(panel, [this](const Cusp& cusp) {
-      return Vector2d(cusp.actuated[joint(0)], cusp.actuated[joint(1)]);
-    });
+    const auto place = [this](const JointVector& q) { return Vector2d(q[joint(0)], q[joint(1)]); };
+    mark_cusps(panel, [&](const Cusp& cusp) { return place(cusp.actuated); });
+    for (std::size_t i = 0; i < uniqueness_.nodes.size(); ++i)
+      panel.marks.push_back(node_mark(place(uniqueness_.nodes[i].actuated), i));
     return panel;
   }
 
@@ -131,6 +137,11 @@ class UniquenessDrawing {
       result.push_back(std::move(shape));
     }
     return result;
+  }
+
+  /// With a letter, as long as there are any.
+  static PanelMark node_mark(const Vector2d& at, std::size_t node) {
+    return {at, node < 26 ? std::string(1, static_cast<char>('a' + node)) : "", true};
   }
 
   void mark_cusps(PanelContents& panel, const std::function<Vector2d(const Cusp&)>& place) const {

@@ -7,6 +7,7 @@
 #include "tools/report/text_table.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects::tools {
@@ -30,6 +31,14 @@ json json_cusp(const Manipulator& robot, const Cusp& cusp) {
           {"pose", json_pose(robot.task_space(), cusp.pose)},
           {"proved", true},
           {"accuracy", cusp.accuracy}};
+}
+
+json json_node(const Manipulator& robot, const SolutionNode& node) {
+  return {
+      {"actuated", json_numbers(node.actuated)},
+      {"poses", {json_pose(robot.task_space(), node.poses[0]), json_pose(robot.task_space(), node.poses[1])}},
+      {"proved", true},
+      {"accuracy", node.accuracy}};
 }
 
 json json_region(const SolutionRegion& region, const std::string& unit) {
@@ -88,10 +97,21 @@ std::string components_text(const AspectMap& map) {
 bool has_modes(const Manipulator& robot) { return working_modes(robot).size() > 1; }
 
 /// A column for each actuated joint, by its name and unit.
-std::vector<std::string> cusp_titles(const Manipulator& robot) {
+std::vector<std::string> joint_titles(const Manipulator& robot) {
   std::vector<std::string> titles;
   for (const Leg& leg : robot.legs())
     titles.push_back(">" + leg.actuated_joint + " [" + joint_unit(leg) + "]");
+  return titles;
+}
+
+std::vector<std::string> joint_cells(const JointVector& actuated) {
+  std::vector<std::string> cells;
+  for (Eigen::Index j = 0; j < actuated.size(); ++j) cells.push_back(fixed_number_text(actuated[j], 6));
+  return cells;
+}
+
+std::vector<std::string> cusp_titles(const Manipulator& robot) {
+  std::vector<std::string> titles = joint_titles(robot);
   if (has_modes(robot)) titles.emplace_back("working mode");
   titles.emplace_back("pose");
   return titles;
@@ -107,11 +127,28 @@ std::string cusps_text(const Uniqueness& uniqueness) {
   if (uniqueness.cusps.empty()) return text;
   TextTable table(cusp_titles(robot));
   for (const Cusp& cusp : uniqueness.cusps) {
-    std::vector<std::string> cells;
-    for (Eigen::Index j = 0; j < cusp.actuated.size(); ++j)
-      cells.push_back(fixed_number_text(cusp.actuated[j], 6));
+    std::vector<std::string> cells = joint_cells(cusp.actuated);
     if (has_modes(robot)) cells.push_back(to_string(cusp.mode));
     cells.push_back(to_string(robot.task_space(), cusp.pose));
+    table.add(std::move(cells));
+  }
+  return text + table.text();
+}
+
+std::string nodes_text(const Uniqueness& uniqueness) {
+  if (!uniqueness.has_regions || !uniqueness.map->slice()) return "";
+  const Manipulator& robot = *uniqueness.map->manipulator();
+  std::string text = "\n" + counted(uniqueness.nodes.size(), "node") +
+                     ", where two pairs of solutions meet, " +
+                     (uniqueness.nodes_complete ? "proved to be all" : "there may be more") + "\n";
+  if (uniqueness.nodes.empty()) return text;
+  std::vector<std::string> titles = joint_titles(robot);
+  titles.emplace_back("one pose");
+  titles.emplace_back("the other");
+  TextTable table(titles);
+  for (const SolutionNode& node : uniqueness.nodes) {
+    std::vector<std::string> cells = joint_cells(node.actuated);
+    for (const Pose& pose : node.poses) cells.push_back(to_string(robot.task_space(), pose));
     table.add(std::move(cells));
   }
   return text + table.text();
@@ -192,6 +229,8 @@ Report report_uniqueness(const Uniqueness& uniqueness) {
                  {"components", json::array()},
                  {"cusps", json::array()},
                  {"cusps_complete", uniqueness.cusps_complete},
+                 {"nodes", json::array()},
+                 {"nodes_complete", uniqueness.nodes_complete},
                  {"regions", json::array()},
                  {"measure_unknown", uniqueness.has_regions ? json(uniqueness.measure_unknown) : json()},
                  {"basic_components", json::array()},
@@ -200,6 +239,8 @@ Report report_uniqueness(const Uniqueness& uniqueness) {
                  {"uniqueness_domains", json::array()}};
   for (const Aspect& aspect : map.aspects()) object["components"].push_back(json_component(map, aspect));
   for (const Cusp& cusp : uniqueness.cusps) object["cusps"].push_back(json_cusp(*map.manipulator(), cusp));
+  for (const SolutionNode& node : uniqueness.nodes)
+    object["nodes"].push_back(json_node(*map.manipulator(), node));
   for (const SolutionRegion& region : uniqueness.regions)
     object["regions"].push_back(json_region(region, unit));
   for (const BasicComponent& component : uniqueness.basic_components)
@@ -211,8 +252,8 @@ Report report_uniqueness(const Uniqueness& uniqueness) {
   const Report constraints = report_constraints(*map.manipulator());
   object.update(constraints.json);
   return {object, headline(uniqueness) + '\n' + components_text(map) + '\n' + cusps_text(uniqueness) +
-                      regions_text(uniqueness) + basic_regions_text(uniqueness) + domains_text(uniqueness) +
-                      '\n' + constraints.text};
+                      nodes_text(uniqueness) + regions_text(uniqueness) + basic_regions_text(uniqueness) +
+                      domains_text(uniqueness) + '\n' + constraints.text};
 }
 
 }  // namespace parallel_aspects::tools

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/singular_images.h"
+#include "aspects/cusps/singular_images.h"
 
 #include "interval/scalar_range.h"
 #include "legs/rod_on_arc.h"

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/uniqueness/node_search.h"
+
+#include "aspects/cusps/injective_boxes.h"
+#include "aspects/cusps/krawczyk.h"
+#include "aspects/cusps/singular_images.h"
+#include "interval/scalar_range.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+// Boxes that are larger are not worth Krawczyk's test, and those about both of two [half turns].
+constexpr double largest_tested = 0.02, largest_hull = 0.25;
+
+// Pairs of boxes that are looked at in all. A slice takes some ten thousand.
+constexpr std::size_t largest_effort = 2000000;
+
+// Krawczyk's test of somewhat larger boxes also proves nodes that lie on a face.
+constexpr double inflation = 1.5;
+
+// What is left after these is rounding.
+constexpr int contractions = 8;
+
+double width_of(const Box& box) { return std::max(box.width(0), box.width(1)); }
+
+/// `box`, moved by whole turns to where `other` is. Its ends are moved outward by what the sums round.
+Box beside(const Box& other, Box box) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double turns = 2.0 * std::round(0.5 * (other.center(i) - box.center(i)));
+    if (turns == 0.0) continue;
+    box.lower[i] += turns - few_units;
+    box.upper[i] += turns + few_units;
+  }
+  return box;
+}
+
+Box hull_of(const Box& a, const Box& b) {
+  Box hull = a;
+  for (std::size_t i = 0; i < 2; ++i) {
+    hull.lower[i] = std::min(a.lower[i], b.lower[i]);
+    hull.upper[i] = std::max(a.upper[i], b.upper[i]);
+  }
+  return hull;
+}
+
+bool have_images_apart(const ImageStrip& a, const ImageStrip& b) {
+  for (std::size_t i = 0; i < 2; ++i)
+    if (are_apart(a.range[i], b.range[i]) || are_apart(a.extents[i], b.along(a.frame[i])) ||
+        are_apart(a.along(b.frame[i]), b.extents[i]))
+      return true;
+  return false;
+}
+
+/// g and D at one of both poses: in the middle of its box, and their derivatives over it.
+struct PoseFunctions {
+  std::array<Interval, 3> center;
+  std::array<std::array<Interval, 2>, 3> gradients;
+
+  PoseFunctions(const StrutSlice& slice, const Box& box) {
+    const SliceTurns over(ranges_of(box)), at(SliceCenter(box).at);
+    const Jet<1> g0 = slice.half_square<1>(0, at), g1 = slice.half_square<1>(1, at);
+    center = {g0.value(), g1.value(), bracket(g0, g1).value()};
+    const Jet<2> first = slice.half_square<2>(0, over), second = slice.half_square<2>(1, over);
+    const Jet<1> d = bracket(first, second);
+    gradients = {
+        {{first.at(1, 0), first.at(0, 1)}, {second.at(1, 0), second.at(0, 1)}, {d.at(1, 0), d.at(0, 1)}}};
+  }
+};
+
+/// Krawczyk's test in four coordinates, see `krawczyk_test`.
+class NodeTest {
+ public:
+  NodeTest(const StrutSlice& slice, const BoxPair& boxes) : boxes_(boxes) {
+    const PoseFunctions first(slice, boxes[0]), second(slice, boxes[1]);
+    for (std::size_t i = 0; i < 2; ++i) {
+      center_[i] = first.center[i] - second.center[i];
+      for (std::size_t k = 0; k < 2; ++k) {
+        jacobian_[i][k] = first.gradients[i][k];
+        jacobian_[i][2 + k] = -second.gradients[i][k];
+        jacobian_[2][k] = first.gradients[2][k];
+        jacobian_[3][2 + k] = second.gradients[2][k];
+      }
+    }
+    center_[2] = first.center[2];
+    center_[3] = second.center[2];
+  }
+
+  struct Result {
+    Zeros zeros = Zeros::unknown;
+    BoxPair enclosure;
+  };
+
+  Result run() const {
+    Result result{Zeros::one, boxes_};
+    const Eigen::Matrix4d y = preconditioner();
+    if (!y.allFinite()) return {Zeros::unknown, boxes_};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Interval k = coordinate(y, i);
+      if (!std::isfinite(k.lower()) || !std::isfinite(k.upper())) return {Zeros::unknown, boxes_};
+      if (k.lower() > half(i).upper() || k.upper() < -half(i).upper()) return {Zeros::none, boxes_};
+      if (!(-half(i).lower() < k.lower() && k.upper() < half(i).lower())) result.zeros = Zeros::unknown;
+      Box& box = result.enclosure[i / 2];
+      const Interval at = Interval(boxes_[i / 2].center(i % 2)) + k * reciprocal(pi_enclosure());
+      box.lower[i % 2] = at.lower();
+      box.upper[i % 2] = at.upper();
+    }
+    return result;
+  }
+
+ private:
+  Eigen::Matrix4d preconditioner() const {
+    Eigen::Matrix4d middle;
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < 4; ++k)
+        middle(i, k) = middle_of(jacobian_[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]);
+    return middle.inverse();
+  }
+
+  /// How far the middle is from both faces, at most and at least [rad].
+  Interval half(std::size_t i) const {
+    const Box& box = boxes_[i / 2];
+    const Interval middle(box.center(i % 2));
+    const Interval above = pi_enclosure() * (Interval(box.upper[i % 2]) - middle);
+    const Interval below = pi_enclosure() * (middle - Interval(box.lower[i % 2]));
+    return {std::min(above.lower(), below.lower()), std::max(above.upper(), below.upper())};
+  }
+
+  Interval coordinate(const Eigen::Matrix4d& y, std::size_t i) const {
+    const auto row = static_cast<Eigen::Index>(i);
+    Interval sum;
+    for (std::size_t j = 0; j < 4; ++j) sum += Interval(-y(row, static_cast<Eigen::Index>(j))) * center_[j];
+    for (std::size_t k = 0; k < 4; ++k) {
+      Interval deviation(i == k ? 1.0 : 0.0);
+      for (std::size_t j = 0; j < 4; ++j)
+        deviation += Interval(-y(row, static_cast<Eigen::Index>(j))) * jacobian_[j][k];
+      sum += deviation * Interval(-half(k).upper(), half(k).upper());
+    }
+    return sum;
+  }
+
+  BoxPair boxes_;
+  std::array<Interval, 4> center_;
+  std::array<std::array<Interval, 4>, 4> jacobian_;
+};
+
+bool contains_pair(const BoxPair& outer, const BoxPair& inner) {
+  return (contains_up_to_turns(outer[0], inner[0]) && contains_up_to_turns(outer[1], inner[1])) ||
+         (contains_up_to_turns(outer[0], inner[1]) && contains_up_to_turns(outer[1], inner[0]));
+}
+
+bool meet(const BoxPair& a, const BoxPair& b) {
+  return (meet_up_to_turns(a[0], b[0]) && meet_up_to_turns(a[1], b[1])) ||
+         (meet_up_to_turns(a[0], b[1]) && meet_up_to_turns(a[1], b[0]));
+}
+
+class NodeSearch {
+ public:
+  NodeSearch(const StrutSlice& slice, const std::vector<Box>& cusps, const MapControl& control)
+      : slice_(slice), control_(control), images_(slice), injective_(slice, cusps) {}
+
+  NodeBoxes run() {
+    NodeBoxes result;
+    pairs_.push_back({SingularImages::root, SingularImages::root});
+    for (std::size_t effort = 0; !pairs_.empty(); ++effort) {
+      if (effort % 1024 == 0 && is_cancelled(control_)) result.cancelled = true;
+      if (result.cancelled) break;
+      const auto [a, b] = pairs_.back();
+      pairs_.pop_back();
+      if (effort >= largest_effort || !examine(a, b))
+        result.undecided.push_back({images_.box(a), images_.box(b)});
+    }
+    for (const Known& each : known_)
+      result.nodes.push_back({without_turns(each.enclosure[0]), without_turns(each.enclosure[1])});
+    return result;
+  }
+
+ private:
+  using Part = SingularImages::Node;
+
+  struct Known {
+    BoxPair unique;     // holds one node
+    BoxPair enclosure;  // of it
+  };
+
+  /// False where the boxes are too small to be divided.
+  bool examine(Part a, Part b) {
+    const Box &first = images_.box(a), &second = images_.box(b);
+    if (a != b && have_images_apart(images_.strip(a), images_.strip(b))) return true;
+    const Box hull = hull_of(first, beside(first, second));
+    if (width_of(hull) < largest_hull && injective_.holds(hull)) return true;
+    const bool is_small = std::max(width_of(first), width_of(second)) < largest_tested;
+    if (a != b && is_small && is_settled({first, second})) return true;
+    return divide(a, b);
+  }
+
+  bool divide(Part a, Part b) {
+    if (width_of(images_.box(a)) < width_of(images_.box(b))) std::swap(a, b);
+    if (images_.is_smallest(a)) return false;
+    const std::vector<Part> parts = images_.parts(a);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (a != b) pairs_.emplace_back(parts[i], b);
+      if (a == b)
+        for (std::size_t k = i; k < parts.size(); ++k) pairs_.emplace_back(parts[i], parts[k]);
+    }
+    return true;
+  }
+
+  /// Whether it is proved that the boxes hold no node, or one, which then is known.
+  bool is_settled(const BoxPair& boxes) {
+    const auto is_known = [&](const Known& each) { return contains_pair(each.unique, boxes); };
+    if (std::any_of(known_.begin(), known_.end(), is_known)) return true;
+    const BoxPair wider{scaled(boxes[0], inflation), scaled(boxes[1], inflation)};
+    NodeTest::Result found = NodeTest(slice_, wider).run();
+    if (found.zeros != Zeros::one) return found.zeros == Zeros::none;
+    for (int k = 0; k < contractions; ++k) {
+      const NodeTest::Result next = NodeTest(slice_, found.enclosure).run();
+      for (std::size_t i = 0; i < 2; ++i)
+        found.enclosure[i] = intersection(found.enclosure[i], next.enclosure[i]);
+    }
+    return note({wider, found.enclosure});
+  }
+
+  /// Whether it is proved that the node is a known one, or none of these.
+  bool note(const Known& found) {
+    for (const Known& each : known_) {
+      if (contains_pair(each.unique, found.enclosure) || contains_pair(found.unique, each.enclosure))
+        return true;
+      if (meet(found.enclosure, each.enclosure)) return false;
+    }
+    known_.push_back(found);
+    return true;
+  }
+
+  const StrutSlice& slice_;
+  const MapControl& control_;
+  SingularImages images_;
+  InjectiveBoxes injective_;
+  std::vector<std::pair<Part, Part>> pairs_;
+  std::vector<Known> known_;
+};
+
+}  // namespace
+
+NodeBoxes find_node_boxes(const StrutSlice& slice, const std::vector<Box>& cusps, const MapControl& control) {
+  assert_rounding_upward();
+  return NodeSearch(slice, cusps, control).run();
+}
+
+}  // namespace parallel_aspects
