@@ -91,6 +91,13 @@ bool touch(const Patch& a, const Patch& b, std::size_t dimension) noexcept {
   return meet && flat <= 1;
 }
 
+/// Bit i for the child of rank i.
+using RankSet = std::uint32_t;
+
+// By coordinate, the children at its lower end; by dimension, all children.
+constexpr std::array<RankSet, max_map_dimension> lower_ranks{0x55, 0x33, 0x0f};
+constexpr std::array<RankSet, max_map_dimension + 1> all_ranks{0x01, 0x03, 0x0f, 0xff};
+
 class NeighbourSearch {
  public:
   NeighbourSearch(const PoseTree& tree, std::size_t mode, NodeIndex node)
@@ -116,30 +123,35 @@ class NeighbourSearch {
     return {from <= to, from == to};
   }
 
+  using Corner = std::array<std::uint32_t, max_map_dimension>;
+
   /// `other` shares part of a face with the image; its edges are so long, and its lower corner is there.
-  void descend(const Patch& image, NodeIndex other, std::uint32_t edge,
-               const std::array<std::uint32_t, max_map_dimension>& corner) {
+  void descend(const Patch& image, NodeIndex other, std::uint32_t edge, const Corner& corner) {
     const LeafState state = tree_.state(other, mode_);
     if (other == node_ || state.is_outside()) return;
     if (!state.is_divided()) return found_.push_back(other);
-    const std::uint32_t middle = edge / 2;
-    std::array<std::array<Half, 2>, max_map_dimension> halves{};
-    for (std::size_t i = 0; i < tree_.dimension(); ++i)
-      halves[i] = {half(image.spans[i], corner[i], corner[i] + middle),
-                   half(image.spans[i], corner[i] + middle, corner[i] + edge)};
     const NodeIndex first = tree_.first_child(other);
-    for (NodeIndex rank = 0; rank < tree_.children_per_node(); ++rank) {
-      int flat = 0;
-      bool meets = true;
-      std::array<std::uint32_t, max_map_dimension> at = corner;
-      for (std::size_t i = 0; i < tree_.dimension(); ++i) {
-        const Half& along = halves[i][rank >> i & 1U];
-        meets = meets && along.meets;
-        flat += along.is_flat ? 1 : 0;
-        if ((rank >> i & 1U) != 0) at[i] += middle;
-      }
-      if (meets && flat <= 1) descend(image, first + rank, middle, at);
+    for (RankSet ranks = touching(image, edge / 2, corner); ranks != 0; ranks &= ranks - 1) {
+      const auto rank = static_cast<NodeIndex>(__builtin_ctz(ranks));
+      Corner at = corner;
+      for (std::size_t i = 0; i < tree_.dimension(); ++i) at[i] += (rank >> i & 1U) * (edge / 2);
+      descend(image, first + rank, edge / 2, at);
     }
+  }
+
+  /// Which children share part of a face with the image; their edges are so long.
+  RankSet touching(const Patch& image, std::uint32_t edge, const Corner& corner) const {
+    RankSet meet = all_ranks[tree_.dimension()], flat = 0, flat_twice = 0;
+    for (std::size_t i = 0; i < tree_.dimension(); ++i) {
+      const Half lower = half(image.spans[i], corner[i], corner[i] + edge),
+                 upper = half(image.spans[i], corner[i] + edge, corner[i] + 2 * edge);
+      const RankSet of_lower = lower_ranks[i], of_upper = ~of_lower;
+      meet &= (lower.meets ? of_lower : 0) | (upper.meets ? of_upper : 0);
+      const RankSet flat_here = (lower.is_flat ? of_lower : 0) | (upper.is_flat ? of_upper : 0);
+      flat_twice |= flat & flat_here;
+      flat |= flat_here;
+    }
+    return meet & ~flat_twice;
   }
 
   const PoseTree& tree_;
