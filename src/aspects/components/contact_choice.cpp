@@ -31,9 +31,13 @@ std::vector<NodeIndex> coarsest_of(const PoseTree& tree, const std::vector<NodeI
 std::vector<NodeIndex> ContactChoice::choose(SignGraph& graph,
                                              const std::vector<SignGraph::Contact>& contacts) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<NodeIndex>> pairs;
+  auto last = pairs.end();  // of the contact before, which most are of, too
   for (const SignGraph::Contact& contact : contacts) {
-    auto& leaves = pairs[std::minmax(graph.component(contact.leaf), graph.component(contact.other_leaf))];
-    leaves.insert(leaves.end(), {contact.node, contact.other_node});
+    const std::pair<std::uint32_t, std::uint32_t> pair =
+        std::minmax(graph.component(contact.leaf), graph.component(contact.other_leaf));
+    if (last == pairs.end() || last->first != pair) last = pairs.try_emplace(pair).first;
+    last->second.push_back(contact.node);
+    if (contact.other_node != contact.node) last->second.push_back(contact.other_node);
   }
   std::vector<NodeIndex> chosen;
   std::set<std::uint32_t> given_up, worked_on;

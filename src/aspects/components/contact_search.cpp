@@ -121,12 +121,6 @@ void ContactSearch::visit_across_faces(NodeIndex node, const Visitor& visit) con
   for (const NodeIndex leaf : found->second) visit(graph_.slot(leaf));
 }
 
-std::uint32_t& ContactSearch::reached_from(LeafSlot slot) {
-  if (slot.is_indeterminate()) return items_from_[slot.item()];
-  if (slot.place() >= members_from_.size()) members_from_.resize(graph_.members().size(), none);
-  return members_from_[slot.place()];
-}
-
 /// Whether any path leads on.
 bool ContactSearch::go_on(LeafSlot leaf, std::uint32_t from) {
   const NodeIndex node = graph_.node(leaf);

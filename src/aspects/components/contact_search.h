@@ -39,7 +39,11 @@ class ContactSearch {
   void append_leaves_beside(const Member& member, std::vector<std::uint32_t>& items) const;
   template <class Visitor>
   void visit_across_faces(NodeIndex node, const Visitor& visit) const;
-  std::uint32_t& reached_from(LeafSlot slot);
+  std::uint32_t& reached_from(LeafSlot slot) {
+    if (slot.is_indeterminate()) return items_from_[slot.item()];
+    if (slot.place() >= members_from_.size()) members_from_.resize(graph_.members().size(), none);
+    return members_from_[slot.place()];
+  }
   bool go_on(LeafSlot leaf, std::uint32_t from);
   template <class VisitPathsOn>
   bool go_on(NodeIndex node, std::uint32_t from, const VisitPathsOn& visit_paths_on);

@@ -29,6 +29,7 @@ void IndeterminateLeaves::remove_neighbour(std::size_t item, LeafSlot neighbour)
 
 std::vector<LeafSlot> IndeterminateLeaves::neighbours(std::size_t item) const {
   std::vector<LeafSlot> result;
+  result.reserve(2 * leaves_[item].neighbours.size());
   visit_neighbours(item, [&result](LeafSlot neighbour) { result.push_back(neighbour); });
   return result;
 }
