@@ -69,6 +69,7 @@ void LocalChart<space>::turn_half_turns() noexcept {
           half_turns_[i][k] +=
               half * rotation_[i][a] *
               Interval(metric_.half_turns(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(k)));
+        longer_half_turns_[i][k] = square_root(Interval(2.0)) * half_turns_[i][k];
       }
 }
 

@@ -4,6 +4,7 @@
 
 #include "distance/anchor_metric.h"
 #include "distance/cell.h"
+#include "distance/centered_leg.h"
 #include "distance/point_dual.h"
 #include "legs/leg_rows.h"
 #include "legs/planar_leg.h"
@@ -29,7 +30,9 @@ class LocalChart {
   static constexpr std::size_t size = moves + turns;
   static constexpr std::size_t dimension = planar ? 2 : 3;
 
-  using DistanceLeg = std::conditional_t<planar, PlanarLeg, SpatialLeg>;
+  using DistanceLeg =
+      std::conditional_t<planar, PlanarLeg,
+                         std::conditional_t<space == TaskSpace::SE3, CenteredLeg, SpatialLeg>>;
   template <class Scalar>
   using Vector = std::array<Scalar, dimension>;
   template <class Scalar>
@@ -38,7 +41,6 @@ class LocalChart {
   explicit LocalChart(const Manipulator& manipulator);
 
   const AnchorMetric& metric() const noexcept { return metric_; }
-  const DistanceLeg& leg(std::size_t j) const noexcept { return legs_[j]; }
 
   /// The anchor of leg j moves about the centroid by this much at most, a metre of |r| of the rotation r.
   double turning(std::size_t j) const noexcept { return turning_[j]; }
@@ -132,6 +134,12 @@ class LocalChart {
     return sum;
   }
 
+  // Of a platform in space; squared_move is the square of the length of its move.
+  template <class Scalar>
+  LegRows<Scalar, size> rows_about_center(std::size_t j, const Vector<Scalar>& b,
+                                          const std::array<Scalar, size>& y,
+                                          const Scalar& squared_move) const noexcept;
+
   void turn_half_turns() noexcept;
   static Vector<Interval> interval_vector(const Eigen::Vector3d& vector) noexcept;
 
@@ -140,7 +148,7 @@ class LocalChart {
   std::array<double, size> turning_{};
   std::array<Vector<Interval>, size> platform_arms_, base_points_;
   Eigen::Matrix3d half_turns_at_pose_ = Eigen::Matrix3d::Zero();  // in the task frame, middle of the next
-  std::array<std::array<Interval, 3>, 3> half_turns_;
+  std::array<std::array<Interval, 3>, 3> half_turns_, longer_half_turns_;  // the latter sqrt(2) times
   Rotation<Interval> rotation_;
   std::array<Vector<Interval>, size> arms_, offsets_, displacements_;
   Vector<Interval> center_;  // from the operational point to the centroid, as turned at the pose
@@ -152,22 +160,23 @@ template <TaskSpace space>
 template <class Scalar>
 typename LocalChart<space>::template Rotation<Scalar> LocalChart<space>::rotation(
     const Scalar* turn) const noexcept {
-  const Interval two(2.0);
   if constexpr (space == TaskSpace::SE2) {
+    const Interval two(2.0);
     const Scalar v = half_turns_[2][2] * turn[0], vv = square(v);
     const Scalar cosine = Scalar(1.0) - two * vv, sine = two * (root(Scalar(1.0) - vv) * v);
     return {{{cosine, -sine}, {sine, cosine}}};
   } else {
-    std::array<Scalar, 3> v;
+    std::array<Scalar, 3> v;  // sqrt(2) times that of the quaternion, which saves factors of two
     for (std::size_t i = 0; i < 3; ++i)
-      v[i] = half_turns_[i][0] * turn[0] + half_turns_[i][1] * turn[1] + half_turns_[i][2] * turn[2];
+      v[i] = longer_half_turns_[i][0] * turn[0] + longer_half_turns_[i][1] * turn[1] +
+             longer_half_turns_[i][2] * turn[2];
     const Scalar xx = square(v[0]), yy = square(v[1]), zz = square(v[2]);
-    const Scalar s = root(Scalar(1.0) - (xx + yy + zz));
+    const Scalar s = root(Scalar(2.0) - (xx + yy + zz));
     const Scalar xy = v[0] * v[1], xz = v[0] * v[2], yz = v[1] * v[2];
     const Scalar wx = s * v[0], wy = s * v[1], wz = s * v[2];
-    return {{{Scalar(1.0) - two * (yy + zz), two * (xy - wz), two * (xz + wy)},
-             {two * (xy + wz), Scalar(1.0) - two * (xx + zz), two * (yz - wx)},
-             {two * (xz - wy), two * (yz + wx), Scalar(1.0) - two * (xx + yy)}}};
+    return {{{Scalar(1.0) - (yy + zz), xy - wz, xz + wy},
+             {xy + wz, Scalar(1.0) - (xx + zz), yz - wx},
+             {xz - wy, yz + wx, Scalar(1.0) - (xx + yy)}}};
   }
 }
 
@@ -189,15 +198,39 @@ void LocalChart<space>::find_rows(const std::array<Scalar, size>& y,
                                   std::array<LegRows<Scalar, size>, size>& rows) const noexcept {
   [[maybe_unused]] Rotation<Scalar> turned;
   if constexpr (turns > 0) turned = rotation(y.data() + moves);
+  [[maybe_unused]] Scalar squared_move(0.0);
+  if constexpr (space == TaskSpace::SE3) squared_move = square(y[0]) + square(y[1]) + square(y[2]);
   for (std::size_t j = 0; j < size; ++j) {
     Vector<Scalar> b;
     if constexpr (turns > 0) b = arm(j, turned);
-    const Vector<Scalar> d = displacement(j, b, y);
-    if constexpr (planar)
-      rows[j] = leg_rows<space>(legs_[j].form(Planar<Scalar>{d[0], d[1]}), b);
-    else
-      rows[j] = leg_rows<space>(legs_[j].form(d), b);
+    if constexpr (space == TaskSpace::SE3) {
+      rows[j] = rows_about_center(j, b, y, squared_move);
+    } else {
+      const Vector<Scalar> d = displacement(j, b, y);
+      if constexpr (planar)
+        rows[j] = leg_rows<space>(legs_[j].form(Planar<Scalar>{d[0], d[1]}), b);
+      else
+        rows[j] = leg_rows<space>(legs_[j].form(d), b);
+    }
   }
+}
+
+template <TaskSpace space>
+template <class Scalar>
+LegRows<Scalar, LocalChart<space>::size> LocalChart<space>::rows_about_center(
+    std::size_t j, const Vector<Scalar>& b, const std::array<Scalar, size>& y,
+    const Scalar& squared_move) const noexcept {
+  Vector<Scalar> e;
+  Scalar squared_e = squared_move;
+  Interval squared_b, squared_offset;
+  for (std::size_t i = 0; i < dimension; ++i) {
+    const Interval& offset = offsets_[j][i];
+    e[i] = y[i] + Scalar(offset);
+    squared_e = squared_e + (Interval(2.0) * offset) * y[i];
+    squared_offset += square(offset);
+    squared_b += square(platform_arms_[j][i]);
+  }
+  return legs_[j].rows(b, e, squared_b, squared_e + Scalar(squared_offset));
 }
 
 extern template class LocalChart<TaskSpace::T1>;
