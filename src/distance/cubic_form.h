@@ -77,6 +77,21 @@ class CubicForm {
   double coefficient(std::size_t i) const noexcept { return of_[i]; }
   double error() const noexcept { return error_; }
 
+  /// The sum of the magnitudes of the coefficients.
+  double size() const noexcept {
+    std::array<double, 4> sums{};
+    for (std::size_t i = 0; i < Of::count; i += 4)
+      for (std::size_t k = 0; k < 4; ++k) sums[k] += std::abs(of_[i + k]);
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  }
+
+  /// The polynomial itself.
+  CubicForm without_error() const noexcept {
+    CubicForm result = *this;
+    result.error_ = 0.0;
+    return result;
+  }
+
   Interval range() const noexcept {
     const Norms n = norms();
     const double spread = n[1] + n[3] + error_;
@@ -179,14 +194,6 @@ class CubicForm {
     for (std::size_t i = Of::first_cube; i < Of::count; ++i) result[3] += shares[i] * (of_[i] * of_[i]);
     for (std::size_t k = 1; k < 4; ++k) result[k] = std::sqrt(result[k]);
     return result;
-  }
-
-  // At most this in the ball.
-  double size() const noexcept {
-    std::array<double, 4> sums{};
-    for (std::size_t i = 0; i < Of::count; i += 4)
-      for (std::size_t k = 0; k < 4; ++k) sums[k] += std::abs(of_[i + k]);
-    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
   }
 
   // What a sum of this result is off by at most.

@@ -7,6 +7,7 @@
 #include "distance/local_chart.h"
 #include "distance/quadratic_form.h"
 #include "distance/regular_ball.h"
+#include "distance/root_lines.h"
 #include "legs/determinant.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 
@@ -213,7 +214,7 @@ class ModeDeterminant {
       rows.along[j] = legs[j].turned;
       rows.rows[j] = legs[j].fixed;
       if (!branches_[j]) continue;
-      const RootInBall<Form> entry = root_in_ball(legs[j].squared_entry);
+      const RootInBall<Form> entry(legs[j].squared_entry);
       rows.rows[j] = row(j, legs[j], entry.middle);
       rows.gaps[j] = entry.gap;
     }
@@ -292,45 +293,8 @@ class ModeDeterminant {
     return rows;
   }
 
-  // sqrt(a) is within `gap` of `middle` where a is not negative.
-  template <class Form>
-  struct RootInBall {
-    Form middle;
-    double gap = 0.0;
-  };
-
-  // By a chord where a falls far below the middle of its range, where Taylor's series are long.
-  template <class Form>
-  static RootInBall<Form> root_in_ball(const Form& a) noexcept {
-    const Interval range = a.range();
-    if (range.lower() > least_share_in_ball * range.upper()) return {square_root(a, range.lower()), 0.0};
-    const Chord chord = chord_between(std::max(0.0, range.lower()), std::max(0.0, range.upper()));
-    const double middle = 0.5 * (chord.offset.lower() + chord.offset.upper());
-    return {chord.slope * a + Form(middle),
-            std::max(chord.offset.upper() - middle, middle - chord.offset.lower())};
-  }
-
-  // sqrt(a) where a is from `least` >= 0 to `most`: with the slope 1 / (l + m) of the chord between l and m,
-  // the roots of these, sqrt(a) - slope a is the same at both ends, l m / (l + m), and at most 1 / (4 slope).
-  struct Chord {
-    Interval slope, offset;
-  };
-  static Chord chord_between(double least, double most) noexcept {
-    const Interval l = square_root(Interval(least)), m = square_root(Interval(most)), sum = l + m;
-    if (!sum.positive()) return {Interval(0.0), Interval(0.0, m.upper())};
-    const Interval slope(reciprocal(sum).upper());
-    const double at_ends = std::min((l - slope * square(l)).lower(), (m - slope * square(m)).lower());
-    return {slope, Interval(at_ends, (Interval(0.25) * reciprocal(slope)).upper())};
-  }
-
-  template <class Form>
-  static Form root_between(const Form& a, double least, double most) noexcept {
-    const Chord chord = chord_between(least, most);
-    return chord.slope * a + Form(chord.offset);
-  }
-
-  // Below this share of the largest B_jj^2, |B_jj| is enclosed by a chord.
-  static constexpr double least_share = 0.15, least_share_in_ball = 0.3;
+  // Below this share of the largest B_jj^2 in a cell, |B_jj| is enclosed by a chord.
+  static constexpr double least_share = 0.15;
 
   static const Affine<size>& linear(const Affine<size>& a) noexcept { return a; }
   static Affine<size> linear(const QuadraticForm<size>& a) noexcept { return a.linear(); }

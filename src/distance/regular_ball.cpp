@@ -40,9 +40,11 @@ std::size_t degree_of(std::size_t monomial) {
 
 Matrix symmetric_part(const Matrix& a) { return 0.5 * (a + a.transpose()); }
 
-// The largest eigenvalue of a matrix that is positive semidefinite, or nearly so, by powers of it.
+// The largest eigenvalue of a matrix that is positive semidefinite, but for a rounding, or a little more, by
+// powers of it.
 double symmetric_norm(const Matrix& a) {
   const double trace = a.trace();
+  if (!(trace > 0.0)) return trace;
   Matrix power = a / trace;
   for (int i = 0; i < 4; ++i) power = (power * power).eval();
   return trace * std::pow(power.trace(), 1.0 / 16.0);
@@ -154,53 +156,62 @@ void RegularBall::choose_basis(const RowsInBall& rows) noexcept {
 }
 
 void RegularBall::transform(const RowsInBall& rows) noexcept {
-  const Matrix left = left_.cwiseAbs(), right = right_.cwiseAbs();
-  Matrix sizes = Matrix::Zero();
-  double squares = 0.0;
+  Matrix cubes = Matrix::Zero();
   for (std::size_t i = 0; i < Of::count; ++i) {
-    const Matrix part = coefficients(rows.rows, i);
-    sizes += part.cwiseAbs();
-    parts_[i] = symmetric_part(left_ * (part * right_).eval());
-    if (i >= Of::first_cube) squares += parts_[i].squaredNorm() / monomials.orders[i];
+    parts_[i] = symmetric_part(left_ * (coefficients(rows.rows, i) * right_).eval());
+    // |sum m_i P_i x| <= |x^T sum P_i^2 x / orders_i|^(1/2), where orders times squares of the m_i add up
+    // to 1.
+    if (i >= Of::first_cube) cubes += (parts_[i] * parts_[i]) / monomials.orders[i];
   }
-  cubed_ = std::sqrt(squares) * (1.0 + many_roundings);
-  const Matrix errors = matrix_of(rows.rows, [](const CubicForm<6>& each) { return each.error(); });
-  error_ = (left * (errors + many_roundings * sizes) * right).norm();
-  base_ = parts_[0];
-  for (std::size_t j = 0; j < 6; ++j)
-    if (rows.gaps[j] > 0.0) take_off_gap(rows, j);
-  usable_ = std::isfinite(error_) && std::isfinite(cubed_);
+  cubed_ = std::sqrt(symmetric_norm(cubes)) * (1.0 + many_roundings);
+  errors_ = gaps_ = Matrix::Zero();
+  for (std::size_t j = 0; j < 6; ++j) take_off_row(rows, j);
+  usable_ = errors_.allFinite() && gaps_.allFinite() && std::isfinite(cubed_);
 }
 
-// With t the column of L and r = R^T along, the gap adds  g (x^T t) (r^T x)  with |g| <= gap, which is at
-// least  -gap (ratio (t^T x)^2 + (r^T x)^2 / ratio) / 2  for every ratio > 0. What r is off from its value at
-// the center is bounded by its length.
-void RegularBall::take_off_gap(const RowsInBall& rows, std::size_t j) noexcept {
-  const auto row = static_cast<Eigen::Index>(j);
-  const Vector column = left_.col(row);
-  Vector at_center, errors = Vector::Zero();
-  std::array<double, 4> squares{};
-  for (std::size_t k = 0; k < Of::count; ++k) {
-    Vector along;
-    for (std::size_t i = 0; i < 6; ++i) along[static_cast<Eigen::Index>(i)] = rows.along[j][i].coefficient(k);
-    errors += many_roundings * along.cwiseAbs();
-    const Vector turned = right_.transpose() * along;
-    if (k == 0)
-      at_center = turned;
-    else
-      squares[degree_of(k)] += turned.squaredNorm() / monomials.orders[k];
+// With t the column of L, a row that is off by f adds  (x^T t) (f^T R x), which is at least
+// -length (ratio (t^T x)^2 + |x|^2 / ratio) / 2  for every ratio > 0, as |R^T f| <= length.
+void RegularBall::take_off_row(const RowsInBall& rows, std::size_t j) noexcept {
+  const Vector column = left_.col(static_cast<Eigen::Index>(j));
+  Vector errors;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const CubicForm<6>& entry = rows.rows[j][i];
+    errors[static_cast<Eigen::Index>(i)] = entry.error() + many_roundings * entry.size();
   }
-  for (std::size_t i = 0; i < 6; ++i) errors[static_cast<Eigen::Index>(i)] += rows.along[j][i].error();
-  const double gap = rows.gaps[j] * (1.0 + many_roundings);
-  const double off = std::sqrt(squares[1]) + std::sqrt(squares[2]) + std::sqrt(squares[3]) +
-                     (right_.cwiseAbs().transpose() * errors).norm();
-  error_ += gap * (column.norm() * off) * (1.0 + many_roundings);
-  const double ratio = at_center.norm() / column.norm();
-  if (!(ratio > 0.0) || !std::isfinite(ratio)) return;
-  const Matrix taken = (0.5 * gap * ratio) * (column * column.transpose()) +
-                       (0.5 * gap / ratio) * (at_center * at_center.transpose());
-  base_ -= taken;
-  error_ += many_roundings * taken.norm();
+  double length = (right_.cwiseAbs().transpose() * errors).norm() * (1.0 + many_roundings);
+  if (rows.gaps[j] > 0.0) length += take_off_gap(rows, j);
+  const double size = column.norm(), half = 0.5 * length * (1.0 + many_roundings);
+  errors_ += (half / size) * (column * column.transpose());
+  errors_.diagonal().array() += half * size * (1.0 + many_roundings);
+}
+
+// With r = R^T along, the gap adds  g (x^T t) (r^T x)  with |g| <= gap, which is at least
+// -gap (ratio (t^T x)^2 + (r^T x)^2 / ratio) / 2  for every ratio > 0. Here r is taken to the first order;
+// how long gap times the rest can be is returned.
+double RegularBall::take_off_gap(const RowsInBall& rows, std::size_t j) noexcept {
+  const Vector column = left_.col(static_cast<Eigen::Index>(j));
+  Square& along = squares_[square_count_];
+  std::array<double, 4> squares{};
+  Vector errors;
+  for (std::size_t k = 0; k < Of::count; ++k) {
+    Vector part;
+    for (std::size_t i = 0; i < 6; ++i) part[static_cast<Eigen::Index>(i)] = rows.along[j][i].coefficient(k);
+    const Vector turned = right_.transpose() * part;
+    if (k < Of::first_square) along.segment<6>(6 * static_cast<Eigen::Index>(k)) = turned;
+    squares[degree_of(k)] += turned.squaredNorm() / monomials.orders[k];
+  }
+  for (std::size_t i = 0; i < 6; ++i) {
+    const CubicForm<6>& entry = rows.along[j][i];
+    errors[static_cast<Eigen::Index>(i)] = entry.error() + many_roundings * entry.size();
+  }
+  const double gap = rows.gaps[j] * (1.0 + many_roundings), ratio = std::sqrt(squares[0]) / column.norm();
+  const double rest =
+      std::sqrt(squares[2]) + std::sqrt(squares[3]) + (right_.cwiseAbs().transpose() * errors).norm();
+  if (!(ratio > 0.0)) return gap * (rest + std::sqrt(squares[1])) * (1.0 + many_roundings);
+  along *= std::sqrt(0.5 * gap / ratio) * (1.0 + many_roundings);
+  ++square_count_;
+  gaps_ += (0.5 * gap * ratio) * (column * column.transpose());
+  return gap * rest * (1.0 + many_roundings);
 }
 
 double RegularBall::proved_share() const noexcept {
@@ -227,11 +238,14 @@ double RegularBall::expected_share() const noexcept {
       squares += parts_[i].squaredNorm() / monomials.orders[i];
   }
   // About half of the second order is met by the quadratic form.
-  const double gap = (parts_[0] - base_).norm(), bend = 0.5 * std::sqrt(squares);
-  const double slope = std::sqrt(symmetric_norm(slopes)) + gap;
+  Matrix gaps = gaps_;
+  for (std::size_t n = 0; n < square_count_; ++n)
+    gaps += squares_[n].head<6>() * squares_[n].head<6>().transpose();
+  const double slope = std::sqrt(symmetric_norm(slopes)) + symmetric_norm(gaps);
+  const double bend = 0.5 * std::sqrt(squares), left = symmetric_norm(errors_);
   double share = 1.0;
   for (int i = 0; i < steps; ++i)
-    share /= std::pow(share * (slope + share * (bend + share * (cubed_ + share * error_))), 0.6);
+    share /= std::pow(share * (slope + share * (bend + share * (cubed_ + share * left))), 0.6);
   return share;
 }
 
@@ -241,10 +255,10 @@ bool RegularBall::is_proved(double share) const noexcept {
 
 bool RegularBall::is_proved(double share, double weight) const noexcept {
   Form form = Form::Zero();
-  const double squared = share * share, rest = error_ + share * squared * cubed_;
-  form.topLeftCorner<6, 6>() = base_;
+  const double squared = share * share;
+  form.topLeftCorner<6, 6>() = parts_[0] - errors_ - gaps_;
   for (Eigen::Index i = 0; i < 6; ++i) {
-    form(i, i) -= rest + weight;
+    form(i, i) -= share * squared * cubed_ + weight;
     form.block<6, 6>(6 + 6 * i, 0) = (0.5 * share) * parts_[1 + static_cast<std::size_t>(i)];
   }
   for (std::size_t at = 0; at < Of::squares; ++at) {
@@ -254,7 +268,19 @@ bool RegularBall::is_proved(double share, double weight) const noexcept {
         (i == k ? squared : 0.5 * squared) * parts_[Of::first_square + at];
     if (i == k) form.block<6, 6>(6 + 6 * i, 6 + 6 * i).diagonal().array() += weight;
   }
+  take_off_gaps(share, form);
   return is_positive_definite(form);
+}
+
+void RegularBall::take_off_gaps(double share, Form& form) const noexcept {
+  double taken = 0.0;
+  for (std::size_t n = 0; n < square_count_; ++n) {
+    Square along = squares_[n];
+    along.tail<36>() *= share;
+    for (Eigen::Index i = 0; i < order; ++i) form.col(i).tail(order - i) -= along[i] * along.tail(order - i);
+    taken += along.squaredNorm();
+  }
+  form.diagonal().array() -= many_roundings * (taken + errors_.norm() + gaps_.norm());
 }
 
 }  // namespace parallel_aspects

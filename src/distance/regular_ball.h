@@ -24,8 +24,9 @@ struct RowsInBall {
 /// point such that  L A(0) R  is about I, and such that the linear part  sum e_i S_i  of the symmetric part
 /// is small: sum |S_i|^2 is least, over all changes of the basis of x. That is what makes the criterion
 /// nearly sharp. Terms up to the second order are a quadratic form in  x (1, e_1, ..., e_6), of which
-/// weight (s^2 - |e|^2) |x|^2 is taken off (the S-procedure); that the rest is positive definite is proved by
-/// a Cholesky factorization with a bound of its rounding. Needs a live `RoundingUpward`.
+/// weight (s^2 - |e|^2) |x|^2 is taken off (the S-procedure), and what gaps and errors can take; that the
+/// rest is positive definite is proved by a Cholesky factorization with a bound of its rounding. Needs a live
+/// `RoundingUpward`.
 class RegularBall {
  public:
   explicit RegularBall(const RowsInBall& rows) noexcept;
@@ -41,18 +42,24 @@ class RegularBall {
   using Matrix = Eigen::Matrix<double, 6, 6>;
   static constexpr int order = 42;
   using Form = Eigen::Matrix<double, order, order>;
+  using Square = Eigen::Matrix<double, order, 1>;  // of a linear function of x (1, e_1, ..., e_6)
 
   void choose_basis(const RowsInBall& rows) noexcept;
   void transform(const RowsInBall& rows) noexcept;
-  void take_off_gap(const RowsInBall& rows, std::size_t j) noexcept;
+  void take_off_row(const RowsInBall& rows, std::size_t j) noexcept;
+  double take_off_gap(const RowsInBall& rows, std::size_t j) noexcept;
   bool is_proved(double share) const noexcept;
   bool is_proved(double share, double weight) const noexcept;
+  void take_off_gaps(double share, Form& form) const noexcept;
 
   bool usable_ = false;
   Matrix left_, right_;
-  Matrix base_;                                        // at the center, less what the gaps take off
   std::array<Matrix, CubicForm<6>::Of::count> parts_;  // symmetric, of every monomial
-  double error_ = 0.0, cubed_ = 0.0;                   // what is left, and the third order, over the ball
+  // What is taken off: by errors, by the half of gaps that is constant, and the squares of the other half.
+  Matrix errors_, gaps_;
+  std::array<Square, 6> squares_;
+  std::size_t square_count_ = 0;
+  double cubed_ = 0.0;  // the third order, over the ball
 };
 
 }  // namespace parallel_aspects

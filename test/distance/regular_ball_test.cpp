@@ -2,6 +2,7 @@
 // Matrices that are proved regular, refuted by sampling and by searching for the least determinant.
 #include "distance/regular_ball.h"
 
+#include "distance/root_lines.h"
 #include "interval/rounding.h"
 
 #include <Eigen/LU>
@@ -9,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace parallel_aspects {
@@ -17,13 +19,20 @@ namespace {
 using Vector = std::array<double, 6>;
 using Matrix = Eigen::Matrix<double, 6, 6>;
 
-// Row j is  sum_i (constant + linear + quadratic + cubic) + g gap_j along_j,  g from -1 to 1.
+// What is added to some rows: nothing, gaps, or roots of functions that may be negative in part of the ball,
+// where the matrix does not count.
+enum class Added { nothing, gaps, roots };
+
+// Row j is  constant + linear + quadratic + cubic + g along_j,  with |g| <= gap_j or g = sqrt(squared_j).
 class RandomMatrix {
  public:
-  RandomMatrix(std::uint64_t seed, bool with_gaps) : engine_(seed) {
+  RandomMatrix(std::uint64_t seed, Added added) : added_(added), engine_(seed) {
     const double linear = 0.3 * std::abs(normal_(engine_)) + 0.02;
     for (std::size_t j = 0; j < 6; ++j) {
-      gaps_[j] = with_gaps && j % 2 == 0 ? 0.05 * std::abs(normal_(engine_)) : 0.0;
+      is_added_[j] = added != Added::nothing && j % 2 == 0;
+      gaps_[j] = added == Added::gaps && is_added_[j] ? 0.05 * std::abs(normal_(engine_)) : 0.0;
+      square_[j] = 0.05 + 0.1 * std::abs(normal_(engine_));
+      for (double& each : square_slope_[j]) each = 0.3 * normal_(engine_);
       for (std::size_t i = 0; i < 6; ++i) {
         constant_[j][i] = (i == j ? 2.0 : 0.0) + 0.5 * normal_(engine_);
         along_[j][i] = normal_(engine_);
@@ -48,6 +57,13 @@ class RandomMatrix {
     return Scalar(along_[j][i]) + e[i] * Scalar(0.3);
   }
 
+  template <class Scalar>
+  Scalar squared(std::size_t j, const std::array<Scalar, 6>& e) const {
+    Scalar sum(square_[j]);
+    for (std::size_t k = 0; k < 6; ++k) sum = sum + e[k] * Scalar(square_slope_[j][k]);
+    return sum + e[j] * e[(j + 1) % 6];
+  }
+
   RowsInBall rows(double radius) const {
     std::array<CubicForm<6>, 6> e;
     for (std::size_t i = 0; i < 6; ++i) e[i] = CubicForm<6>::coordinate(0.0, radius, i);
@@ -58,16 +74,39 @@ class RandomMatrix {
         result.rows[j][i] = entry(j, i, e);
         result.along[j][i] = along(j, i, e);
       }
+    for (std::size_t j = 0; j < 6 && added_ == Added::roots; ++j) {
+      if (!is_added_[j]) continue;
+      const RootInBall<CubicForm<6>> root(squared(j, e));
+      for (std::size_t i = 0; i < 6; ++i) result.rows[j][i] += root.middle * result.along[j][i];
+      result.gaps[j] = root.gap;
+    }
     return result;
   }
 
+  // Infinite where a root is none.
   double determinant(const Vector& e, const Vector& g) const {
     Matrix result;
-    for (std::size_t j = 0; j < 6; ++j)
+    for (std::size_t j = 0; j < 6; ++j) {
+      double factor = g[j] * gaps_[j];
+      if (added_ == Added::roots && is_added_[j]) {
+        if (!(squared(j, e) >= 0.0)) return std::numeric_limits<double>::infinity();
+        factor = std::sqrt(squared(j, e));
+      }
       for (std::size_t i = 0; i < 6; ++i)
         result(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) =
-            entry(j, i, e) + g[j] * gaps_[j] * along(j, i, e);
+            entry(j, i, e) + factor * along(j, i, e);
+    }
     return result.determinant();
+  }
+
+  // Whether some root ends within the ball, to the first order.
+  bool ends_within(double radius) const {
+    for (std::size_t j = 0; j < 6; ++j) {
+      double length = 0.0;
+      for (const double each : square_slope_[j]) length = std::hypot(length, each);
+      if (added_ == Added::roots && is_added_[j] && square_[j] < length * radius) return true;
+    }
+    return false;
   }
 
   // The least determinant, as a share of that at the center, that some walks in the ball find.
@@ -87,8 +126,8 @@ class RandomMatrix {
         for (const double each : f) norm = std::hypot(norm, each);
         if (norm > radius)
           for (double& each : f) each *= radius / norm;
-        const double value = determinant(f, h) / center;
-        if (!(value < here)) continue;
+        const double reached = determinant(f, h), value = reached / center;
+        if (!std::isfinite(reached) || !(value < here)) continue;
         here = value;
         e = f;
         g = h;
@@ -99,10 +138,12 @@ class RandomMatrix {
   }
 
  private:
+  Added added_;
   std::mt19937_64 engine_;
   std::normal_distribution<double> normal_;
-  std::array<double, 6> gaps_{};
-  std::array<Vector, 6> constant_{}, along_{}, cube_{};
+  std::array<bool, 6> is_added_{};
+  std::array<double, 6> gaps_{}, square_{};
+  std::array<Vector, 6> constant_{}, along_{}, cube_{}, square_slope_{};
   std::array<std::array<Vector, 6>, 6> slope_{}, bend_{};
 };
 
@@ -111,24 +152,29 @@ double proved_radius(const RandomMatrix& matrix, double radius) {
   return RegularBall(matrix.rows(radius)).proved_share() * radius;
 }
 
-class RegularBalls : public testing::TestWithParam<bool> {};
+class RegularBalls : public testing::TestWithParam<Added> {};
 
 TEST_P(RegularBalls, HoldNoSingularMatrix) {
-  int proved = 0, sharp = 0;
+  int proved = 0, sharp = 0, ending = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     RandomMatrix matrix(seed, GetParam());
     const double radius = proved_radius(matrix, 0.05 + 0.01 * static_cast<double>(seed % 40));
     if (!(radius > 0.0)) continue;
     ++proved;
+    if (matrix.ends_within(radius)) ++ending;
     ASSERT_GT(matrix.least_determinant(radius * (1.0 - 1e-9)), 0.0)
         << "seed " << seed << " radius " << radius;
     if (matrix.least_determinant(2.5 * radius) <= 0.0) ++sharp;
   }
   EXPECT_GT(proved, 75);
   EXPECT_GT(sharp, 10);
+  if (GetParam() == Added::roots) {
+    EXPECT_GT(ending, 25);
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(RegularBall, RegularBalls, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(RegularBall, RegularBalls,
+                         testing::Values(Added::nothing, Added::gaps, Added::roots));
 
 // det = 1 - s^2 vanishes at s = 1 in the direction of the first coordinate.
 TEST(RegularBall, EndsBeforeASingularity) {
