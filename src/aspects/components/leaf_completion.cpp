@@ -25,15 +25,14 @@ class SignCompletion {
 
   void run(const MapControl& control) {
     std::vector<NodeIndex> left = look_into_all(indeterminate_nodes(), control);
-    graph_.settle_faces(tree_, classifier_);
     MapControl again = control;
     again.progress = nullptr;  // a few leaves at most
-    for (std::size_t before = left.size() + 1; !left.empty() && left.size() < before;) {
+    for (std::size_t before = left.size() + 1; left.size() < before && !is_cancelled(control);) {
+      graph_.settle_faces(tree_, classifier_);
+      lead_out_of_bare_components(again);
       before = left.size();
       left = look_into_all(left, again);
-      graph_.settle_faces(tree_, classifier_);
     }
-    lead_out_of_bare_components(again);
   }
 
  private:
