@@ -46,7 +46,9 @@ std::string find_problem_without_slice(const Manipulator& manipulator) {
 }
 
 std::string find_problem_of_slice(const Manipulator& manipulator, const MapSlice& slice) {
-  if (!slice.joint) return find_slice_to_hold(manipulator);
+  if (!slice.joint)
+    return find_slice_to_hold(manipulator) +
+           (has_struts_alone(manipulator) ? " All poses are looked at without a slice." : "");
   return find_held_joint_problem(manipulator, *slice.joint);
 }
 
@@ -86,6 +88,9 @@ bool has_struts_alone(const Manipulator& manipulator) noexcept {
 }
 
 std::string find_held_range_problem(const Manipulator& manipulator, const HeldRange& range) {
+  if (has_one_solution_a_sign(manipulator.task_space()))
+    return "In " + std::string(name(manipulator.task_space())) + " no three direct solutions meet, so that " +
+           in_quotes(manipulator.name()) + " has no cusps.";
   if (!std::isfinite(range.lower) || !std::isfinite(range.upper))
     return "The joint that is held has no limits on both sides; give the ends of a range.";
   if (!(range.lower < range.upper))

@@ -27,7 +27,7 @@ KnownDomains before_the_map(const Manipulator& manipulator, bool enabled) {
             "GB of "
             "memory once the map is complete.",
             nullptr};
-  return {UniquenessState::WAITING, "They are computed once the map is complete.", nullptr};
+  return {UniquenessState::WAITING, "They are computed after the map.", nullptr};
 }
 
 std::string summary(const Uniqueness& uniqueness) {

@@ -248,6 +248,8 @@ void PlanServer::finish(Plan plan, const Question& question, PlanPathResult resu
   write_path(*manipulator_, plan.path, result);
   write_domains(domains, result);
   result.turns_around_cusps.assign(plan.turns_around_cusps.begin(), plan.turns_around_cusps.end());
+  if (const std::string cusps = several_cusps(plan.turns_around_cusps); !cusps.empty())
+    result.reason += (result.reason.empty() ? "" : " ") + cusps;
   write_timing(*manipulator_, timed, result);
   if (plan.path) publish(plan, result);
   server_->setSucceeded(result, result.reason);

@@ -77,6 +77,16 @@ Status read_cusp(const Manipulator& manipulator, const PlanPathGoal& goal, PathE
                          manipulator.leg(0).actuated_joint + ".");
 }
 
+std::string several_cusps(const std::vector<int>& turns) {
+  std::string list;
+  int count = 0;
+  for (std::size_t k = 0; k < turns.size(); ++k) {
+    if (turns[k] == 0) continue;
+    list += (count++ == 0 ? "" : ", ") + std::to_string(k + 1);
+  }
+  return count > 1 ? "The actuated values go around several cusps: " + list + "." : "";
+}
+
 CuspPath plan_around_cusp(const std::shared_ptr<const Manipulator>& manipulator, const PathEnd& from,
                           const CuspQuestion& question, const MapControl& control) {
   CuspPath result;

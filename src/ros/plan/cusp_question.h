@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace parallel_aspects {
@@ -31,6 +32,9 @@ struct CuspPath {
   PoseBetween between = pose_between;
   std::vector<int> turns_around_cusps;  ///< by cusp
 };
+
+/// A sentence that lists the cusps which a path goes around, from 1, where these are several; else nothing.
+std::string several_cusps(const std::vector<int>& turns);
 
 /// Reads what a goal says of a cusp, and moves the start, which is in the working mode of `from`, onto the
 /// slice.

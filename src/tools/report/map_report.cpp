@@ -192,7 +192,7 @@ std::string map_text(const AspectMap& map, bool all_aspects, const MapBasins* ba
   text += aspect_table(map, listed.shown, basins) + small_text(map, listed.small);
   text += "\npairs that could be one aspect: " + unresolved_text(map, listed.small) + "\n";
   text += "undecided, over all working modes: " + shown(map.measure_undecided()) + " " + map.unit() +
-          (map.count_at_most() ? "" : "; smaller aspects may hide there") + "\n";
+          (map.count_at_most() ? "; no further aspect is there" : "; smaller aspects may hide there") + "\n";
   return text;
 }
 
