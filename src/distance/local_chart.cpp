@@ -16,7 +16,10 @@ LocalChart<space>::LocalChart(const Manipulator& manipulator) : metric_(manipula
     legs_.emplace_back(leg);
     const Vector<Interval> anchor = interval_vector(leg.anchor), center = interval_vector(metric_.center);
     base_points_[j] = interval_vector(leg.base_point());
-    for (std::size_t i = 0; i < dimension; ++i) platform_arms_[j][i] = anchor[i] - center[i];
+    for (std::size_t i = 0; i < dimension; ++i) {
+      platform_arms_[j][i] = anchor[i] - center[i];
+      squared_arms_[j] += square(platform_arms_[j][i]);
+    }
     turning_[j] = metric_.turning(leg.anchor);
   }
 }
@@ -48,8 +51,10 @@ void LocalChart<space>::move_to(const Pose& pose) noexcept {
   center_ = center;
   for (std::size_t j = 0; j < size; ++j) {
     arms_[j] = turned(platform_arms_[j]);
+    squared_offsets_[j] = Interval(0.0);
     for (std::size_t i = 0; i < dimension; ++i) {
       offsets_[j][i] = position[i] + center[i] - base_points_[j][i];
+      squared_offsets_[j] += square(offsets_[j][i]);
       displacements_[j][i] = offsets_[j][i] + arms_[j][i];
     }
   }
@@ -61,7 +66,8 @@ void LocalChart<space>::turn_half_turns() noexcept {
   half_turns_at_pose_ = 0.5 * (pose_.orientation.normalized().toRotationMatrix() * metric_.half_turns);
   const Interval half(0.5);
   if constexpr (dimension == 2) half_turns_[2][2] = half * Interval(metric_.half_turns(2, 2));
-  if constexpr (dimension == 3)
+  if constexpr (dimension == 3) {
+    const Interval root_of_two = square_root(Interval(2.0));
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k) {
         half_turns_[i][k] = Interval(0.0);
@@ -69,8 +75,9 @@ void LocalChart<space>::turn_half_turns() noexcept {
           half_turns_[i][k] +=
               half * rotation_[i][a] *
               Interval(metric_.half_turns(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(k)));
-        longer_half_turns_[i][k] = square_root(Interval(2.0)) * half_turns_[i][k];
+        longer_half_turns_[i][k] = root_of_two * half_turns_[i][k];
       }
+  }
 }
 
 template <TaskSpace space>

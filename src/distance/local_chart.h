@@ -147,6 +147,7 @@ class LocalChart {
   std::vector<DistanceLeg> legs_;
   std::array<double, size> turning_{};
   std::array<Vector<Interval>, size> platform_arms_, base_points_;
+  std::array<Interval, size> squared_arms_, squared_offsets_;     // the squares of their lengths
   Eigen::Matrix3d half_turns_at_pose_ = Eigen::Matrix3d::Zero();  // in the task frame, middle of the next
   std::array<std::array<Interval, 3>, 3> half_turns_, longer_half_turns_;  // the latter sqrt(2) times
   Rotation<Interval> rotation_;
@@ -222,15 +223,12 @@ LegRows<Scalar, LocalChart<space>::size> LocalChart<space>::rows_about_center(
     const Scalar& squared_move) const noexcept {
   Vector<Scalar> e;
   Scalar squared_e = squared_move;
-  Interval squared_b, squared_offset;
   for (std::size_t i = 0; i < dimension; ++i) {
     const Interval& offset = offsets_[j][i];
     e[i] = y[i] + Scalar(offset);
     squared_e = squared_e + (Interval(2.0) * offset) * y[i];
-    squared_offset += square(offset);
-    squared_b += square(platform_arms_[j][i]);
   }
-  return legs_[j].rows(b, e, squared_b, squared_e + Scalar(squared_offset));
+  return legs_[j].rows(b, e, squared_arms_[j], squared_e + Scalar(squared_offsets_[j]));
 }
 
 extern template class LocalChart<TaskSpace::T1>;

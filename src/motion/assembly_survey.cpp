@@ -151,8 +151,9 @@ class Survey {
       indices.push_back(parallel_index(manipulator_, solution.pose, q));
     for (std::size_t i = 0; i < solutions.size(); ++i)
       for (std::size_t k = i + 1; k < solutions.size(); ++k) {
-        Pair pair{q, solutions[i], solutions[k], is_straight(solutions[i], solutions[k]),
-                  std::min(indices[i], indices[k])};
+        Pair pair{q, solutions[i], solutions[k], true, std::min(indices[i], indices[k])};
+        if (best && !best->is_worse_than(pair)) continue;  // however straight it is
+        pair.is_straight = is_straight(solutions[i], solutions[k]);
         if (!best || best->is_worse_than(pair)) best = std::move(pair);
       }
   }

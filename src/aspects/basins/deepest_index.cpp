@@ -127,34 +127,17 @@ void DeepestIndex::start() {
   has_halved_groups_ = false;
   queue_ = {};
   progress_.assign(owners_.all().size(), {});
-  is_known_what_is_open_ = false;
   for (RootIndex root = 0; root < cells_.tree().root_count(); ++root)
     if (owners_.within(root) != 0) queue_.emplace(cells_.upper(root, IndexCells::Effort::little), root);
 }
 
-/// What is asked for each node that comes out of the queue, and changes seldom.
-void DeepestIndex::find_what_is_open() {
-  if (is_known_what_is_open_) return;
-  is_known_what_is_open_ = true;
-  open_owners_ = 0;
-  most_enough_ = 0.0;
-  for (std::size_t owner = 0; owner < progress_.size(); ++owner) {
-    if (!progress_[owner].is_open) continue;
-    open_owners_ |= CellOwners::bit(owner);
-    most_enough_ = std::max(most_enough_, enough(owner));
-  }
-}
-
 /// Owners of a node that are bounded precisely enough by the highest upper bound that is left.
 void DeepestIndex::close(double upper, NodeIndex node) {
-  find_what_is_open();
-  if (upper > most_enough_) return;
   const auto close_one = [this, upper](std::size_t owner) {
     Progress& progress = progress_[owner];
     if (!progress.is_open || upper > enough(owner)) return;
     progress.is_open = false;
     progress.upper = upper;
-    is_known_what_is_open_ = false;
   };
   if (cells_.is_cell(node) && owners_.of(node) != CellOwners::none) return close_one(owners_.of(node));
   for (std::size_t owner = 0; owner < progress_.size(); ++owner)
@@ -163,20 +146,22 @@ void DeepestIndex::close(double upper, NodeIndex node) {
 
 /// By what is left of each.
 void DeepestIndex::close_rest() {
-  for (const auto& [upper, node] : queue_.heap()) {
+  for (; !queue_.empty(); queue_.pop()) {
+    const auto [upper, node] = queue_.top();
     const std::uint64_t within = owners_.within(node);
     for (std::size_t owner = 0; owner < progress_.size(); ++owner)
       if (progress_[owner].is_open && (within & CellOwners::bit(owner)) != 0)
         progress_[owner].upper = std::max(progress_[owner].upper, upper);
   }
-  queue_ = {};
 }
 
-bool DeepestIndex::matters(NodeIndex node) {
+bool DeepestIndex::matters(NodeIndex node) const {
   if (cells_.is_cell(node))
     return owners_.of(node) != CellOwners::none && progress_[owners_.of(node)].is_open;
-  find_what_is_open();
-  return (owners_.within(node) & open_owners_) != 0;
+  const std::uint64_t within = owners_.within(node);
+  for (std::size_t owner = 0; owner < progress_.size(); ++owner)
+    if (progress_[owner].is_open && (within & CellOwners::bit(owner)) != 0) return true;
+  return false;
 }
 
 /// Whether more effort shows that the node has its place farther behind.
@@ -222,7 +207,6 @@ void DeepestIndex::open_cell(double upper, NodeIndex cell) {
       progress.halved >= (is_inside ? wanted.halvings : wanted.halvings_of_undecided)) {
     progress.is_open = false;
     progress.upper = upper;
-    is_known_what_is_open_ = false;
     return;
   }
   ++progress.halved;
@@ -233,10 +217,7 @@ void DeepestIndex::open_cell(double upper, NodeIndex cell) {
 void DeepestIndex::look_at_middle(NodeIndex cell, std::size_t owner) {
   const IndexRange range = cells_.at(middle(cell));
   ++evaluations_;
-  if (range.lower > progress_[owner].reached) {
-    progress_[owner].reached = range.lower;
-    is_known_what_is_open_ = false;
-  }
+  progress_[owner].reached = std::max(progress_[owner].reached, range.lower);
   if (cells_.is_inside(cell)) raise(cells_.aspect(cell), range.lower, middle(cell));
 }
 
@@ -253,7 +234,6 @@ void DeepestIndex::raise(int aspect, double lower, const MapPosition& at) {
   if (aspect == 0 || !(lower > lower_.at(aspect))) return;
   lower_[aspect] = lower;
   witnesses_[aspect] = at;
-  is_known_what_is_open_ = false;
 }
 
 MapPosition DeepestIndex::middle(NodeIndex node) const {

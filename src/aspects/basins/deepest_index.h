@@ -8,7 +8,6 @@
 #include "parallel_aspects/aspects/map_control.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -47,10 +46,9 @@ class DeepestIndex {
   void search_once();
   void take_in_bounds();
   void start();
-  void find_what_is_open();
   void close(double upper, NodeIndex node);
   void close_rest();
-  bool matters(NodeIndex node);
+  bool matters(NodeIndex node) const;
   bool is_lowered(double upper, NodeIndex node);
   void open(double upper, NodeIndex node);
   void open_children(double upper, NodeIndex node);
@@ -68,9 +66,6 @@ class DeepestIndex {
   std::map<int, double> lower_, upper_;  // by id
   std::map<int, MapPosition> witnesses_;
   std::vector<Progress> progress_;
-  bool is_known_what_is_open_ = false;
-  std::uint64_t open_owners_ = 0;  // bits of those that are open
-  double most_enough_ = 0.0;       // the largest of what is enough for one of them
   Queue queue_;
   std::size_t evaluations_ = 0, most_evaluations_;
   bool has_halved_groups_ = false;

@@ -137,17 +137,7 @@ class Walk {
     if (!tangent) return std::nullopt;
     if (((*tangent)[tube.axis] > 0.0) != (forward > 0.0))
       for (double& each : *tangent) each = -each;
-    return TraceStep{tube, without_turns_of_angles(*point), *tangent};
-  }
-
-  static Box without_turns_of_angles(Box box) {
-    for (std::size_t i = 0; i < 2; ++i) {
-      const double turns = box.center(i) > 1.0 ? -2.0 : box.center(i) < -1.0 ? 2.0 : 0.0;
-      if (turns == 0.0) continue;
-      box.lower[i] += turns - few_units;
-      box.upper[i] += turns + few_units;
-    }
-    return box;
+    return TraceStep{tube, without_turns(*point), *tangent};
   }
 
   CuspFamily& family_;

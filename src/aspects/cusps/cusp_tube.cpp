@@ -43,18 +43,6 @@ std::array<const CuspGradient<3>*, 2> rows_of(const FamilyFunctions& functions, 
   return {&functions.gradients[0], &functions.gradients[1 + equation]};
 }
 
-/// The box, with its angles moved by whole turns to where the middle of the tube is.
-Box beside(const CuspTube& tube, Box box) noexcept {
-  const MapPoint at = middle_of(tube);
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double turns = 2.0 * std::round(0.5 * (at[i] - box.center(i)));
-    if (turns == 0.0) continue;
-    box.lower[i] += turns - few_units;
-    box.upper[i] += turns + few_units;
-  }
-  return box;
-}
-
 /// x - slope s over the box, of coordinate i of the others.
 Interval straightened(const CuspTube& tube, const Box& box, std::size_t i) noexcept {
   const Interval s = Interval(box.lower[tube.axis], box.upper[tube.axis]) - Interval(tube.middle);
@@ -103,12 +91,12 @@ Box hull_of(const CuspTube& tube, const Box& cross) noexcept {
 }
 
 Interval along(const CuspTube& tube, const Box& box) noexcept {
-  const Box moved = beside(tube, box);
+  const Box moved = beside(middle_of(tube), box);
   return {moved.lower[tube.axis], moved.upper[tube.axis]};
 }
 
 bool contains(const CuspTube& tube, const Box& box) noexcept {
-  const Box moved = beside(tube, box);
+  const Box moved = beside(middle_of(tube), box);
   if (distance_along(tube, moved) > tube.half) return false;
   for (std::size_t i = 0; i < 2; ++i) {
     const Interval range = straightened(tube, moved, i);
@@ -118,7 +106,7 @@ bool contains(const CuspTube& tube, const Box& box) noexcept {
 }
 
 bool may_meet(const CuspTube& tube, const Box& box) noexcept {
-  const Box moved = beside(tube, box);
+  const Box moved = beside(middle_of(tube), box);
   const Interval s = Interval(moved.lower[tube.axis], moved.upper[tube.axis]) - Interval(tube.middle);
   if (s.lower() > tube.half || s.upper() < -tube.half) return false;
   for (std::size_t i = 0; i < 2; ++i) {

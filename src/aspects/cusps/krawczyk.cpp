@@ -39,6 +39,12 @@ Interval krawczyk_coordinate(const PairOverBox& pair, const std::array<double, 2
   return sum;
 }
 
+void move_by(double turns, std::size_t angle, Box& box) noexcept {
+  if (turns == 0.0) return;
+  box.lower[angle] += turns - few_units;
+  box.upper[angle] += turns + few_units;
+}
+
 }  // namespace
 
 ZeroSearch krawczyk_test(const Box& box, const PairOverBox& pair) noexcept {
@@ -91,14 +97,15 @@ bool contains(const Box& outer, const Box& inner) noexcept {
   return true;
 }
 
-Box without_turns(const Box& box) noexcept {
-  Box result = box;
-  for (std::size_t i = 0; i < box.dimension; ++i) {
-    const double turns = box.center(i) > 1.0 ? -2.0 : box.center(i) < -1.0 ? 2.0 : 0.0;
-    result.lower[i] += turns;
-    result.upper[i] += turns;
-  }
-  return result;
+Box without_turns(Box box) noexcept {
+  for (std::size_t i = 0; i < 2; ++i)
+    move_by(box.center(i) > 1.0 ? -2.0 : box.center(i) < -1.0 ? 2.0 : 0.0, i, box);
+  return box;
+}
+
+Box beside(const MapPoint& at, Box box) noexcept {
+  for (std::size_t i = 0; i < 2; ++i) move_by(2.0 * std::round(0.5 * (at[i] - box.center(i))), i, box);
+  return box;
 }
 
 // The sums are exact to a rounding that is far below the width of a box; inner ends are moved outward by it.

@@ -45,8 +45,12 @@ Box scaled(const Box& box, double factor) noexcept;
 /// Whether the second lies in the first.
 bool contains(const Box& outer, const Box& inner) noexcept;
 
-/// `box`, moved by whole turns so that its middle is from -1 to 1.
-Box without_turns(const Box& box) noexcept;
+/// `box`, whose angles are its first two coordinates, moved by whole turns so that these are from -1 to 1 in
+/// its middle. Here and below ends are moved outward by what the sums are rounded by.
+Box without_turns(Box box) noexcept;
+
+/// `box`, its angles moved by whole turns to where those of a point are.
+Box beside(const MapPoint& at, Box box) noexcept;
 
 /// Whether `inner`, moved by some whole turns, lies in `outer`.
 bool contains_up_to_turns(const Box& outer, const Box& inner) noexcept;

@@ -31,17 +31,6 @@ constexpr int contractions = 8;
 
 double width_of(const Box& box) { return std::max(box.width(0), box.width(1)); }
 
-/// `box`, moved by whole turns to where `other` is. Its ends are moved outward by what the sums round.
-Box beside(const Box& other, Box box) {
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double turns = 2.0 * std::round(0.5 * (other.center(i) - box.center(i)));
-    if (turns == 0.0) continue;
-    box.lower[i] += turns - few_units;
-    box.upper[i] += turns + few_units;
-  }
-  return box;
-}
-
 Box hull_of(const Box& a, const Box& b) {
   Box hull = a;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -194,7 +183,7 @@ class NodeSearch {
   bool examine(Part a, Part b) {
     const Box &first = images_.box(a), &second = images_.box(b);
     if (a != b && have_images_apart(images_.strip(a), images_.strip(b))) return true;
-    const Box hull = hull_of(first, beside(first, second));
+    const Box hull = hull_of(first, beside(first.middle(), second));
     if (width_of(hull) < largest_hull && injective_.holds(hull)) return true;
     const bool is_small = std::max(width_of(first), width_of(second)) < largest_tested;
     if (a != b && is_small && is_settled({first, second})) return true;

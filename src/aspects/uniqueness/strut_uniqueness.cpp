@@ -201,35 +201,27 @@ void find_domains(std::size_t most_cells, const MapControl& control, Uniqueness&
   }
 }
 
-/// Whether both struts that move are within limits at the pose of a box.
-Verdict within_limits(const StrutSlice& slice, const Box& box) {
-  Verdict all = Verdict::holds;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Interval g = slice.half_square<0>(i, SliceTurns(ranges_of(box))).value();
-    const auto& [least, most] = slice.limits(i);
-    if (g.upper() < least.lower() || g.lower() > most.upper()) return Verdict::fails;
-    if (!(g.lower() > least.upper() && g.upper() < most.lower())) all = Verdict::unknown;
-  }
-  return all;
-}
+}  // namespace
 
-/// The nodes of the slice of the map.
-void find_nodes(const MapControl& control, Uniqueness& result) {
+void find_nodes(const std::vector<CuspBox>& cusps, const MapControl& control, Uniqueness& result) {
   const RoundingUpward rounding;
   const Manipulator& robot = *result.map->manipulator();
   const MapSlice& of_map = *result.map->slice();
   const StrutSlice slice(robot, of_map);
+  const HeldSlice held(robot, of_map);
   const StrutPoses poses(robot, slice, of_map.joint->value);
-  std::vector<Box> cusps;
-  for (const CuspBox& cusp : find_cusp_boxes(HeldSlice(robot, of_map), control).cusps)
-    cusps.push_back(cusp.box);
-  const NodeBoxes found = find_node_boxes(slice, cusps, control);
+  const auto within_limits = [&held](const Box& box) {
+    return held.within_limits(held.postures().front(), SliceTurns(ranges_of(box)));
+  };
+  std::vector<Box> about_cusps;
+  for (const CuspBox& cusp : cusps) about_cusps.push_back(cusp.box);
+  const NodeBoxes found = find_node_boxes(slice, about_cusps, control);
   result.nodes_complete = !found.cancelled;
   for (const auto& [first, second] : found.undecided)
-    if (within_limits(slice, first) != Verdict::fails && within_limits(slice, second) != Verdict::fails)
+    if (within_limits(first) != Verdict::fails && within_limits(second) != Verdict::fails)
       result.nodes_complete = false;
   for (const auto& [first, second] : found.nodes) {
-    const Verdict verdict = within_limits(slice, first);
+    const Verdict verdict = within_limits(first);
     if (verdict == Verdict::unknown) result.nodes_complete = false;
     if (verdict != Verdict::holds) continue;
     const Pose pose = poses.pose(first, {});
@@ -242,13 +234,10 @@ void find_nodes(const MapControl& control, Uniqueness& result) {
   });
 }
 
-}  // namespace
-
 void find_regions_of_struts(const UniquenessOptions& options, const MapControl& control, Uniqueness& result) {
   const std::size_t most_cells = options.most_cells.value_or(default_most_cells);
   result.has_regions = true;
   result.region_unit = result.map->slice() ? "m^2" : "m^3";
-  if (result.map->slice()) find_nodes(control, result);
   find_numbers(most_cells, part_of(control, 0.0, 0.4), result);
   if (!is_cancelled(control)) find_domains(most_cells, part_of(control, 0.4, 1.0), result);
 }

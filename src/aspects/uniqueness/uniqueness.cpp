@@ -39,9 +39,14 @@ class CuspsOfSlice {
         circle_(circle_of_anchor(manipulator, held_)),
         slice_(made_under_upward_rounding<HeldSlice>(manipulator, slice)) {}
 
-  CuspList find(const MapControl& control) const {
+  CuspBoxes boxes(const MapControl& control) const {
+    const RoundingUpward rounding;
+    return find_cusp_boxes(slice_, control);
+  }
+
+  /// Those within limits.
+  CuspList list(const CuspBoxes& boxes) const {
     CuspList result;
-    const CuspBoxes boxes = cusp_boxes(control);
     result.complete = !boxes.cancelled;
     for (const CuspBox& box : boxes.cusps) add(box, result);
     for (const CuspBox& box : boxes.undecided)
@@ -54,11 +59,6 @@ class CuspsOfSlice {
   }
 
  private:
-  CuspBoxes cusp_boxes(const MapControl& control) const {
-    const RoundingUpward rounding;
-    return find_cusp_boxes(slice_, control);
-  }
-
   Verdict within_limits(const CuspBox& cusp) const {
     const RoundingUpward rounding;
     return slice_.within_limits(cusp.posture, SliceTurns(ranges_of(cusp.box)));
@@ -95,9 +95,12 @@ class CuspsOfSlice {
 void look_into(const Manipulator& manipulator, const UniquenessOptions& options, const MapControl& control,
                Uniqueness& result) {
   if (result.map->slice()) {
-    CuspList cusps = find_cusps(manipulator, *result.map->slice(), control);
+    const CuspsOfSlice slice(manipulator, *result.map->slice());
+    const CuspBoxes boxes = slice.boxes(control);
+    CuspList cusps = slice.list(boxes);
     result.cusps = std::move(cusps.cusps);
     result.cusps_complete = cusps.complete;
+    if (has_struts_alone(manipulator)) find_nodes(boxes.cusps, control, result);
   }
   if (has_struts_alone(manipulator))
     find_regions_of_struts(options, control, result);
@@ -115,7 +118,8 @@ void take_whole_aspects(Uniqueness& result) {
 }  // namespace
 
 CuspList find_cusps(const Manipulator& manipulator, const MapSlice& slice, const MapControl& control) {
-  return CuspsOfSlice(manipulator, slice).find(control);
+  const CuspsOfSlice of(manipulator, slice);
+  return of.list(of.boxes(control));
 }
 
 UniquenessResult compute_uniqueness(std::shared_ptr<const AspectMap> map, const UniquenessOptions& options,

@@ -206,9 +206,10 @@ void MapWorker::carry_out(const Request& request) {
   make_map(request);
   if (map() == before) return;
   domains_.find(map(), cancelled_);
-  if (!on_domains_) return;
+  const std::shared_ptr<const Uniqueness> found = domains_.known().uniqueness;
+  if (!on_domains_ || !found) return;
   try {
-    on_domains_(domains_.known().uniqueness, cancelled_);
+    on_domains_(found, cancelled_);
   } catch (const std::exception& failure) {  // which says nothing of the map
     ROS_WARN_STREAM("Uniqueness domains: what follows on them ended early: " << failure.what() << ".");
   }

@@ -57,8 +57,8 @@ class MapWorker {
   using Listener = std::function<void(const MapProgress&, const std::shared_ptr<const AspectMap>& map)>;
   using Job = std::uint64_t;
 
-  /// Called on the worker thread with the uniqueness domains of a new map; null where there are none. It may
-  /// take long, unless that turns true.
+  /// Called on the worker thread with the uniqueness domains of a new map, where there are some. It may take
+  /// long, unless that turns true.
   using DomainListener =
       std::function<void(const std::shared_ptr<const Uniqueness>&, const std::atomic<bool>& cancelled)>;
 
