@@ -24,11 +24,24 @@ struct Precision {
 constexpr Precision curves{0.01, 0.05, 0.002, 3000, 2000, 3, 0.5, 20000};
 // With three coordinates undecided cells lie along surfaces: far more boxes than these would be needed to
 // bound the index there as precisely.
-constexpr Precision surfaces{0.05, 0.05, 0.01, 10000, 20000, 1, 0.5, 10000};
+constexpr Precision surfaces{0.05, 0.05, 0.01, 10000, 4000, 1, 0.5, 10000};
 
 // Climbs for poses that the bounds from below are those of.
 constexpr std::size_t starts = 300;
 constexpr double first_step = 1.0 / 16.0, last_step = 1.0 / 65536.0;  // as a share of a root
+
+/// To all neighbours in a grid of points.
+std::vector<MapPoint> directions(std::size_t dimension) {
+  std::vector<MapPoint> result(1);
+  for (std::size_t axis = 0; axis < dimension; ++axis)
+    for (std::size_t i = 0, count = result.size(); i < count; ++i)
+      for (const double step : {1.0, -1.0}) {
+        result.push_back(result[i]);
+        result.back()[axis] = step;
+      }
+  result.erase(result.begin());
+  return result;
+}
 
 const Precision& precision(const IndexCells& cells) {
   return cells.tree().dimension() <= 2 ? curves : surfaces;
@@ -48,6 +61,7 @@ DeepestIndex::DeepestIndex(IndexCells& cells, ParallelIndex index, const MapCont
     if (owner.is_inside) {
       lower_[*owner.aspects.begin()] = 0.0;
       upper_[*owner.aspects.begin()] = std::numeric_limits<double>::infinity();
+      settled_[*owner.aspects.begin()] = 0.0;
     }
 }
 
@@ -93,23 +107,28 @@ void DeepestIndex::climb_everywhere() {
   }
 }
 
-/// By steps along the coordinates, halved where none leads higher, within inside cells of the aspect.
+/// By steps along the coordinates and diagonals, halved where none leads higher, within inside cells of the
+/// aspect.
 void DeepestIndex::climb(int aspect, MapPosition at, double highest) {
-  const PoseTree& tree = cells_.tree();
   for (double step = first_step; step > last_step;) {
     bool is_higher = false;
-    for (std::size_t axis = 0; axis < tree.dimension(); ++axis)
-      for (const double sign : {1.0, -1.0}) {
-        MapPosition next = at;
-        next.point[axis] += sign * step * tree.box(at.root).width(axis);
-        const auto cell = tree.leaf_at(next, 0);
-        if (!cell || !cells_.is_inside(*cell) || cells_.aspect(*cell) != aspect) continue;
-        const double index = cells_.at(next).lower;
-        if (index > highest) std::tie(at, highest, is_higher) = std::make_tuple(next, index, true);
-      }
+    for (const MapPoint& direction : directions(cells_.tree().dimension())) {
+      const MapPosition next = moved(at, direction, step);
+      const auto cell = cells_.tree().leaf_at(next, 0);
+      if (!cell || !cells_.is_inside(*cell) || cells_.aspect(*cell) != aspect) continue;
+      const double index = cells_.at(next).lower;
+      if (index > highest) std::tie(at, highest, is_higher) = std::make_tuple(next, index, true);
+    }
     if (!is_higher) step *= 0.5;
   }
   raise(aspect, highest, at);
+}
+
+MapPosition DeepestIndex::moved(MapPosition at, const MapPoint& direction, double share) const {
+  const Box root = cells_.tree().box(at.root);
+  for (std::size_t axis = 0; axis < root.dimension; ++axis)
+    at.point[axis] += share * direction[axis] * root.width(axis);
+  return at;
 }
 
 void DeepestIndex::search_once() {
@@ -127,6 +146,7 @@ void DeepestIndex::start() {
   has_halved_groups_ = false;
   queue_ = {};
   progress_.assign(owners_.all().size(), {});
+  for (auto& [id, settled] : settled_) settled = 0.0;
   for (RootIndex root = 0; root < cells_.tree().root_count(); ++root)
     if (owners_.within(root) != 0) queue_.emplace(cells_.upper(root, IndexCells::Effort::little), root);
 }
@@ -134,14 +154,21 @@ void DeepestIndex::start() {
 /// Owners of a node that are bounded precisely enough by the highest upper bound that is left.
 void DeepestIndex::close(double upper, NodeIndex node) {
   const auto close_one = [this, upper](std::size_t owner) {
-    Progress& progress = progress_[owner];
-    if (!progress.is_open || upper > enough(owner)) return;
-    progress.is_open = false;
-    progress.upper = upper;
+    if (progress_[owner].is_open && upper <= enough(owner)) settle(owner, upper);
   };
   if (cells_.is_cell(node) && owners_.of(node) != CellOwners::none) return close_one(owners_.of(node));
   for (std::size_t owner = 0; owner < progress_.size(); ++owner)
     if ((owners_.within(node) & CellOwners::bit(owner)) != 0) close_one(owner);
+}
+
+/// What other owners hold of its aspects need not be bounded any lower.
+void DeepestIndex::settle(std::size_t owner, double upper) {
+  progress_[owner].is_open = false;
+  progress_[owner].upper = upper;
+  for (const int id : owners_.all()[owner].aspects) {
+    double& settled = settled_[id];
+    settled = std::max(settled, upper);
+  }
 }
 
 /// By what is left of each.
@@ -205,8 +232,7 @@ void DeepestIndex::open_cell(double upper, NodeIndex cell) {
   look_at_middle(cell, owner);
   if (upper <= enough(owner) || !cells_.can_be_halved(cell) ||
       progress.halved >= (is_inside ? wanted.halvings : wanted.halvings_of_undecided)) {
-    progress.is_open = false;
-    progress.upper = upper;
+    settle(owner, upper);
     return;
   }
   ++progress.halved;
@@ -248,7 +274,8 @@ double DeepestIndex::enough(std::size_t owner) const {
   const double share = cells.is_inside ? wanted.inside : wanted.undecided;
   const auto above = [&](double lower) { return std::max(lower / (1.0 - share), lower + absolute_); };
   double least = std::numeric_limits<double>::infinity();
-  for (const int id : cells.aspects) least = std::min(least, above(lower_.at(id)));
+  for (const int id : cells.aspects)
+    least = std::min(least, std::max(above(lower_.at(id)), settled_.at(id)));
   return wanted.rounds > 1 || cells.is_inside ? least : std::max(least, above(progress_[owner].reached));
 }
 

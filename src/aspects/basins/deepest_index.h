@@ -47,6 +47,7 @@ class DeepestIndex {
   void take_in_bounds();
   void start();
   void close(double upper, NodeIndex node);
+  void settle(std::size_t owner, double upper);
   void close_rest();
   bool matters(NodeIndex node) const;
   bool is_lowered(double upper, NodeIndex node);
@@ -56,6 +57,7 @@ class DeepestIndex {
   void look_at_middle(NodeIndex cell, std::size_t owner);
   void halve(double upper, NodeIndex cell);
   void raise(int aspect, double lower, const MapPosition& at);
+  MapPosition moved(MapPosition at, const MapPoint& direction, double share) const;
   MapPosition middle(NodeIndex node) const;
   double enough(std::size_t owner) const;
 
@@ -64,6 +66,7 @@ class DeepestIndex {
   double absolute_;
   const MapControl& control_;
   std::map<int, double> lower_, upper_;  // by id
+  std::map<int, double> settled_;        // highest bound of the owners of each that are not open, by id
   std::map<int, MapPosition> witnesses_;
   std::vector<Progress> progress_;
   Queue queue_;
