@@ -2,6 +2,7 @@
 #include "parallel_aspects/aspects/basins.h"
 
 #include "aspects/basins/aspect_links.h"
+#include "aspects/basins/cell_owners.h"
 #include "aspects/basins/deepest_index.h"
 #include "aspects/basins/index_cells.h"
 #include "aspects/basins/merge_tree.h"
@@ -44,6 +45,7 @@ class SignBasins {
     for (const auto& [id, range] : deepest.ranges()) basins.deepest[static_cast<std::size_t>(id - 1)] = range;
     bound_pairs(basins);
     if (detail == BasinDetail::depths) return {};
+    CellOwners{cells_};  // tells the cells what aspects whole parts belong to
     cells_.bound_all();
     return basins_of(merge(cells_, edges_of(cells_, PathBound::upper)), basins);
   }

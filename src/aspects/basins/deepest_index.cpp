@@ -51,28 +51,34 @@ const Precision& precision(const IndexCells& cells) {
 
 DeepestIndex::DeepestIndex(IndexCells& cells, ParallelIndex index, const MapControl& control)
     : cells_(cells),
-      owners_(cells),
       absolute_(index == ParallelIndex::normalised ? precision(cells).absolute : 0.0),
       control_(control),
       most_evaluations_(precision(cells).always +
                         static_cast<std::size_t>(precision(cells).share_of_nodes *
-                                                 static_cast<double>(cells.tree().node_count()))) {
-  for (const CellOwner& owner : owners_.all())
-    if (owner.is_inside) {
-      lower_[*owner.aspects.begin()] = 0.0;
-      upper_[*owner.aspects.begin()] = std::numeric_limits<double>::infinity();
-      settled_[*owner.aspects.begin()] = 0.0;
-    }
-}
+                                                 static_cast<double>(cells.tree().node_count()))) {}
 
 void DeepestIndex::search() {
   climb_everywhere();
+  if (lower_.empty() || is_cancelled(control_) || roots_are_enough()) return;
+  owners_.emplace(cells_);
   for (int round = 0; round < precision(cells_).rounds && !is_cancelled(control_); ++round) {
-    if (round > 0) owners_.find();
+    if (round > 0) owners_->find();
     search_once();
     take_in_bounds();
     if (!has_halved_groups_ || evaluations_ >= most_evaluations_) break;
   }
+}
+
+/// Whether bounds of whole roots are precise enough, as where the index comes close to the largest there is.
+bool DeepestIndex::roots_are_enough() {
+  double highest = 0.0;
+  for (RootIndex root = 0; root < cells_.tree().root_count(); ++root)
+    highest = std::max(highest, cells_.upper(root, IndexCells::Effort::little));
+  const bool result = std::all_of(lower_.begin(), lower_.end(), [&](const auto& each) {
+    return highest <= precise_enough(each.second, precision(cells_).inside);
+  });
+  for (auto& [id, upper] : upper_) upper = highest;
+  return result;
 }
 
 std::map<int, IndexRange> DeepestIndex::ranges() const {
@@ -85,7 +91,8 @@ std::map<int, IndexRange> DeepestIndex::ranges() const {
 void DeepestIndex::take_in_bounds() {
   std::map<int, double> upper;
   for (std::size_t owner = 0; owner < progress_.size(); ++owner)
-    for (const int id : owners_.all()[owner].aspects) upper[id] = std::max(upper[id], progress_[owner].upper);
+    for (const int id : owners_->all()[owner].aspects)
+      upper[id] = std::max(upper[id], progress_[owner].upper);
   for (const auto& [id, bound] : upper) upper_[id] = std::min(upper_.at(id), bound);
 }
 
@@ -96,6 +103,8 @@ void DeepestIndex::climb_everywhere() {
     if (cells_.is_inside(cell)) inside[cells_.aspect(cell)].push_back(cell);
   for (const auto& [aspect, cells] : inside) {
     if (aspect == 0 || is_cancelled(control_)) continue;
+    lower_[aspect] = settled_[aspect] = 0.0;
+    upper_[aspect] = std::numeric_limits<double>::infinity();
     MapPosition best;
     double highest = -1.0;
     for (std::size_t i = 0; i < std::min(starts, cells.size()); ++i) {
@@ -145,10 +154,10 @@ void DeepestIndex::search_once() {
 void DeepestIndex::start() {
   has_halved_groups_ = false;
   queue_ = {};
-  progress_.assign(owners_.all().size(), {});
+  progress_.assign(owners_->all().size(), {});
   for (auto& [id, settled] : settled_) settled = 0.0;
   for (RootIndex root = 0; root < cells_.tree().root_count(); ++root)
-    if (owners_.within(root) != 0) queue_.emplace(cells_.upper(root, IndexCells::Effort::little), root);
+    if (owners_->within(root) != 0) queue_.emplace(cells_.upper(root, IndexCells::Effort::little), root);
 }
 
 /// Owners of a node that are bounded precisely enough by the highest upper bound that is left.
@@ -156,16 +165,16 @@ void DeepestIndex::close(double upper, NodeIndex node) {
   const auto close_one = [this, upper](std::size_t owner) {
     if (progress_[owner].is_open && upper <= enough(owner)) settle(owner, upper);
   };
-  if (cells_.is_cell(node) && owners_.of(node) != CellOwners::none) return close_one(owners_.of(node));
+  if (cells_.is_cell(node) && owners_->of(node) != CellOwners::none) return close_one(owners_->of(node));
   for (std::size_t owner = 0; owner < progress_.size(); ++owner)
-    if ((owners_.within(node) & CellOwners::bit(owner)) != 0) close_one(owner);
+    if ((owners_->within(node) & CellOwners::bit(owner)) != 0) close_one(owner);
 }
 
 /// What other owners hold of its aspects need not be bounded any lower.
 void DeepestIndex::settle(std::size_t owner, double upper) {
   progress_[owner].is_open = false;
   progress_[owner].upper = upper;
-  for (const int id : owners_.all()[owner].aspects) {
+  for (const int id : owners_->all()[owner].aspects) {
     double& settled = settled_[id];
     settled = std::max(settled, upper);
   }
@@ -175,7 +184,7 @@ void DeepestIndex::settle(std::size_t owner, double upper) {
 void DeepestIndex::close_rest() {
   for (; !queue_.empty(); queue_.pop()) {
     const auto [upper, node] = queue_.top();
-    const std::uint64_t within = owners_.within(node);
+    const std::uint64_t within = owners_->within(node);
     for (std::size_t owner = 0; owner < progress_.size(); ++owner)
       if (progress_[owner].is_open && (within & CellOwners::bit(owner)) != 0)
         progress_[owner].upper = std::max(progress_[owner].upper, upper);
@@ -184,8 +193,8 @@ void DeepestIndex::close_rest() {
 
 bool DeepestIndex::matters(NodeIndex node) const {
   if (cells_.is_cell(node))
-    return owners_.of(node) != CellOwners::none && progress_[owners_.of(node)].is_open;
-  const std::uint64_t within = owners_.within(node);
+    return owners_->of(node) != CellOwners::none && progress_[owners_->of(node)].is_open;
+  const std::uint64_t within = owners_->within(node);
   for (std::size_t owner = 0; owner < progress_.size(); ++owner)
     if (progress_[owner].is_open && (within & CellOwners::bit(owner)) != 0) return true;
   return false;
@@ -214,10 +223,10 @@ void DeepestIndex::open_children(double upper, NodeIndex node) {
   const NodeIndex first = cells_.tree().first_child(node);
   std::vector<IndexCells::Question> questions;
   for (NodeIndex rank = 0; rank < cells_.tree().children_per_node(); ++rank)
-    if (owners_.within(first + rank) != 0) questions.push_back({first + rank, IndexCells::Effort::little});
+    if (owners_->within(first + rank) != 0) questions.push_back({first + rank, IndexCells::Effort::little});
   cells_.bound(questions);
   for (NodeIndex child = first; child < first + cells_.tree().children_per_node(); ++child) {
-    if (owners_.within(child) == 0) continue;
+    if (owners_->within(child) == 0) continue;
     ++evaluations_;
     queue_.emplace(std::min(upper, cells_.upper(child, IndexCells::Effort::little)), child);
   }
@@ -225,8 +234,8 @@ void DeepestIndex::open_children(double upper, NodeIndex node) {
 
 /// Its middle may show that it need not be halved.
 void DeepestIndex::open_cell(double upper, NodeIndex cell) {
-  const std::size_t owner = owners_.of(cell);
-  const bool is_inside = owners_.all()[owner].is_inside;
+  const std::size_t owner = owners_->of(cell);
+  const bool is_inside = owners_->all()[owner].is_inside;
   const Precision& wanted = precision(cells_);
   Progress& progress = progress_[owner];
   look_at_middle(cell, owner);
@@ -250,7 +259,7 @@ void DeepestIndex::look_at_middle(NodeIndex cell, std::size_t owner) {
 void DeepestIndex::halve(double upper, NodeIndex cell) {
   const std::vector<NodeIndex> children = cells_.divide({cell});
   evaluations_ += children.size();
-  for (const NodeIndex found : owners_.take_in(cell, children))
+  for (const NodeIndex found : owners_->take_in(cell, children))
     raise(cells_.aspect(found), cells_.lower(found), middle(found));
   for (const NodeIndex child : children)
     queue_.emplace(std::min(upper, cells_.upper(child, IndexCells::Effort::little)), child);
@@ -269,14 +278,18 @@ MapPosition DeepestIndex::middle(NodeIndex node) const {
 /// Undecided cells are bounded where they make the bound of no aspect loose or, with three coordinates, where
 /// the index is nearly as high in them.
 double DeepestIndex::enough(std::size_t owner) const {
-  const CellOwner& cells = owners_.all()[owner];
+  const CellOwner& cells = owners_->all()[owner];
   const Precision& wanted = precision(cells_);
   const double share = cells.is_inside ? wanted.inside : wanted.undecided;
-  const auto above = [&](double lower) { return std::max(lower / (1.0 - share), lower + absolute_); };
   double least = std::numeric_limits<double>::infinity();
   for (const int id : cells.aspects)
-    least = std::min(least, std::max(above(lower_.at(id)), settled_.at(id)));
-  return wanted.rounds > 1 || cells.is_inside ? least : std::max(least, above(progress_[owner].reached));
+    least = std::min(least, std::max(precise_enough(lower_.at(id), share), settled_.at(id)));
+  if (wanted.rounds > 1 || cells.is_inside) return least;
+  return std::max(least, precise_enough(progress_[owner].reached, share));
+}
+
+double DeepestIndex::precise_enough(double lower, double share) const {
+  return std::max(lower / (1.0 - share), lower + absolute_);
 }
 
 }  // namespace parallel_aspects

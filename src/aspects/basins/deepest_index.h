@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,7 @@ class DeepestIndex {
     std::size_t halved = 0;
   };
 
+  bool roots_are_enough();
   void climb_everywhere();
   void climb(int aspect, MapPosition at, double highest);
   void search_once();
@@ -60,9 +62,10 @@ class DeepestIndex {
   MapPosition moved(MapPosition at, const MapPoint& direction, double share) const;
   MapPosition middle(NodeIndex node) const;
   double enough(std::size_t owner) const;
+  double precise_enough(double lower, double share) const;
 
   IndexCells& cells_;
-  CellOwners owners_;
+  std::optional<CellOwners> owners_;  // once they are needed
   double absolute_;
   const MapControl& control_;
   std::map<int, double> lower_, upper_;  // by id
