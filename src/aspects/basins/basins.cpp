@@ -2,9 +2,9 @@
 #include "parallel_aspects/aspects/basins.h"
 
 #include "aspects/basins/aspect_links.h"
-#include "aspects/basins/cell_owners.h"
 #include "aspects/basins/deepest_index.h"
 #include "aspects/basins/index_cells.h"
+#include "aspects/basins/index_peaks.h"
 #include "aspects/basins/merge_tree.h"
 #include "aspects/basins/mode_images.h"
 
@@ -26,76 +26,87 @@ constexpr double fine_enough = 0.05;  // as a share of the upper one
 class SignBasins {
  public:
   SignBasins(const AspectMap& map, std::size_t mode, int sign, ParallelIndex index, const MapControl& control)
-      : map_(map),
-        contents_(map.contents()),
-        index_(index),
-        control_(control),
-        cells_(contents_, mode, sign, index) {
+      : map_(map), contents_(map.contents()), what_{mode, sign, index}, control_(control) {
     for (const Aspect& aspect : map.aspects())
       if (aspect.mode == contents_.modes[mode] && aspect.determinant_sign == sign) ids_.push_back(aspect.id);
+    for (std::size_t i = 0; i < map.unresolved().size(); ++i)
+      if (std::count(ids_.begin(), ids_.end(), map.unresolved()[i].first) > 0) pairs_.push_back(i);
   }
 
   /// Its basins, whose places are counted from the first of them. The rest is written into `basins`.
   std::vector<Basin> find(BasinDetail detail, MapBasins& basins) {
     if (ids_.empty()) return {};
-    if (detail == BasinDetail::basins) divide_coarse();
-    DeepestIndex deepest(cells_, index_, control_);
+    const std::map<int, IndexPeak> peaks = find_index_peaks(contents_, what_, control_);
+    if (is_cancelled(control_)) return {};
+    if (detail == BasinDetail::depths && pairs_.empty() && region_bounds(peaks, basins)) return {};
+    IndexCells cells(contents_, what_);
+    if (detail == BasinDetail::basins) divide_coarse(cells);
+    DeepestIndex deepest(cells, peaks, what_.index, control_);
     deepest.search();
     if (is_cancelled(control_)) return {};
-    for (const auto& [id, range] : deepest.ranges()) basins.deepest[static_cast<std::size_t>(id - 1)] = range;
-    bound_pairs(basins);
+    for (const auto& [id, range] : deepest.ranges()) deepest_of(id, basins) = range;
+    bound_pairs(cells, basins);
     if (detail == BasinDetail::depths) return {};
-    CellOwners{cells_};  // tells the cells what aspects whole parts belong to
-    cells_.bound_all();
-    return basins_of(merge(cells_, edges_of(cells_, PathBound::upper)), basins);
+    cells.bound_all();
+    return basins_of(cells, merge(cells, edges_of(cells, PathBound::upper)), basins);
   }
 
  private:
+  static IndexRange& deepest_of(int id, MapBasins& basins) {
+    return basins.deepest[static_cast<std::size_t>(id - 1)];
+  }
+
+  /// Whether the largest index in the region of the map, which takes next to no time, bounds those of the
+  /// aspects precisely enough; as where they come close to the largest that there is.
+  bool region_bounds(const std::map<int, IndexPeak>& peaks, MapBasins& basins) const {
+    const double largest = largest_in_region(contents_, what_);
+    for (const auto& [id, peak] : peaks) {
+      if (!is_precise(largest, peak.index, contents_.tree.dimension(), what_.index)) return false;
+      deepest_of(id, basins) = {peak.index, largest};
+    }
+    return true;
+  }
+
   /// Inside leaves are as large as the proof of their sign lets them be: bounds of the index want smaller
   /// ones. Where it is small, they need not be as near to each other.
-  void divide_coarse() {
-    cells_.bound_all();
-    std::vector<NodeIndex> cells = cells_.all();
+  void divide_coarse(IndexCells& all) const {
+    all.bound_all();
+    std::vector<NodeIndex> cells = all.all();
     double largest = 0.0;
-    for (const NodeIndex cell : cells) largest = std::max(largest, cells_.lower(cell));
-    const auto is_done = [this, largest](NodeIndex cell) {
-      const double upper = cells_.upper(cell), gap = upper - cells_.lower(cell);
-      return !cells_.is_inside(cell) || gap <= fine_enough * std::max(upper, largest) ||
-             cells_.tree().place(cell).level >= contents_.depth;
+    for (const NodeIndex cell : cells) largest = std::max(largest, all.lower(cell));
+    const auto is_done = [this, largest, &all](NodeIndex cell) {
+      const double upper = all.upper(cell), gap = upper - all.lower(cell);
+      return !all.is_inside(cell) || gap <= fine_enough * std::max(upper, largest) ||
+             all.tree().place(cell).level >= contents_.depth;
     };
     while (!cells.empty() && !is_cancelled(control_)) {
       cells.erase(std::remove_if(cells.begin(), cells.end(), is_done), cells.end());
-      cells = cells_.divide(cells);
+      cells = all.divide(cells);
     }
   }
 
   /// The largest index that could join the aspects of each unresolved pair.
-  void bound_pairs(MapBasins& basins) const {
+  void bound_pairs(const IndexCells& cells, MapBasins& basins) const {
+    if (pairs_.empty()) return;
     std::vector<std::pair<int, int>> pairs;
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < map_.unresolved().size(); ++i)
-      if (std::count(ids_.begin(), ids_.end(), map_.unresolved()[i].first) > 0) {
-        pairs.push_back(map_.unresolved()[i]);
-        places.push_back(i);
-      }
-    if (pairs.empty()) return;
-    const std::vector<double> levels = AspectLinks(cells_, pairs, control_).levels();
-    const auto deepest = [&](int id) { return basins.deepest[static_cast<std::size_t>(id - 1)].upper; };
+    for (const std::size_t i : pairs_) pairs.push_back(map_.unresolved()[i]);
+    const std::vector<double> levels = AspectLinks(cells, pairs, control_).levels();
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      basins.bottlenecks[places[i]] = {
-          0.0, std::min({levels[i], deepest(pairs[i].first), deepest(pairs[i].second)})};
+      basins.bottlenecks[pairs_[i]] = {0.0, std::min({levels[i], deepest_of(pairs[i].first, basins).upper,
+                                                      deepest_of(pairs[i].second, basins).upper})};
   }
 
-  std::vector<Basin> basins_of(const std::vector<PeakMerge>& merges, const MapBasins& depths) const {
+  std::vector<Basin> basins_of(const IndexCells& cells, const std::vector<PeakMerge>& merges,
+                               const MapBasins& depths) const {
     std::vector<std::pair<NodeIndex, NodeIndex>> ends;
     for (const PeakMerge& merge : merges) ends.emplace_back(merge.peak, merge.higher);
     const std::vector<double> lower =
-        levels_of_joining(cells_.tree().node_count(), edges_of(cells_, PathBound::lower), ends);
+        levels_of_joining(cells.tree().node_count(), edges_of(cells, PathBound::lower), ends);
     std::vector<Basin> basins;
     std::map<NodeIndex, std::size_t> place;  // in the list, by peak
-    for (const NodeIndex peak : roots_and_peaks(merges)) {
+    for (const NodeIndex peak : roots_and_peaks(cells, merges)) {
       place.emplace(peak, basins.size());
-      basins.push_back(basin_at(peak));
+      basins.push_back(basin_at(cells, peak));
       basins.back().depth.upper = depths.deepest[static_cast<std::size_t>(basins.back().aspect - 1)].upper;
     }
     for (std::size_t i = 0; i < merges.size(); ++i) {
@@ -108,39 +119,40 @@ class SignBasins {
   }
 
   /// Every peak of the merges, and the highest of each aspect that none of them names; the highest first.
-  std::vector<NodeIndex> roots_and_peaks(const std::vector<PeakMerge>& merges) const {
+  std::vector<NodeIndex> roots_and_peaks(const IndexCells& cells,
+                                         const std::vector<PeakMerge>& merges) const {
     std::vector<NodeIndex> peaks;
     std::map<int, NodeIndex> highest;
-    for (const NodeIndex cell : cells_.all()) {
-      if (cells_.aspect(cell) == 0) continue;
-      const auto known = highest.try_emplace(cells_.aspect(cell), cell).first;
-      if (cells_.lower(cell) > cells_.lower(known->second)) known->second = cell;
+    for (const NodeIndex cell : cells.all()) {
+      if (cells.aspect(cell) == 0) continue;
+      const auto known = highest.try_emplace(cells.aspect(cell), cell).first;
+      if (cells.lower(cell) > cells.lower(known->second)) known->second = cell;
     }
     for (const auto& [id, cell] : highest) peaks.push_back(cell);
     for (const PeakMerge& merge : merges) peaks.insert(peaks.end(), {merge.peak, merge.higher});
     std::sort(peaks.begin(), peaks.end());
     peaks.erase(std::unique(peaks.begin(), peaks.end()), peaks.end());
     std::stable_sort(peaks.begin(), peaks.end(),
-                     [this](NodeIndex a, NodeIndex b) { return cells_.lower(a) > cells_.lower(b); });
+                     [&cells](NodeIndex a, NodeIndex b) { return cells.lower(a) > cells.lower(b); });
     return peaks;
   }
 
-  Basin basin_at(NodeIndex peak) const {
-    const PoseTree& tree = cells_.tree();
+  Basin basin_at(const IndexCells& cells, NodeIndex peak) const {
+    const PoseTree& tree = cells.tree();
     const MapPosition middle{tree.place(peak).root, tree.box(peak).middle()};
     Basin basin;
-    basin.aspect = cells_.aspect(peak);
+    basin.aspect = cells.aspect(peak);
     basin.deepest = tree.space().pose(middle);
-    basin.depth = {std::max(cells_.lower(peak), cells_.at(middle).lower), cells_.upper(peak)};
+    basin.depth = {std::max(cells.lower(peak), cells.at(middle).lower), cells.upper(peak)};
     return basin;
   }
 
   const AspectMap& map_;
   const AspectMap::Contents& contents_;
-  ParallelIndex index_;
+  IndexOfMode what_;
   const MapControl& control_;
-  IndexCells cells_;
   std::vector<int> ids_;
+  std::vector<std::size_t> pairs_;  // of unresolved ones, by their places
 };
 
 }  // namespace

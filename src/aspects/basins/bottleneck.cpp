@@ -150,7 +150,7 @@ Bottleneck find_bottleneck(const AspectMap& map, const WorkingMode& mode, const 
   if (other == 0) return refused("The second pose is not proved to lie in an aspect.");
   if (other != sign)
     return {BottleneckStatus::separate, "det A has different signs at the two poses.", {}, 0};
-  IndexCells cells(contents, *place, sign, index);
+  IndexCells cells(contents, {*place, sign, index});
   BottleneckPrecision wanted = precision;
   if (index == ParallelIndex::determinant) wanted.absolute = 0.0;
   return BottleneckSearch(cells, start, end, wanted, control).run();

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 
 namespace parallel_aspects {
 namespace {
@@ -26,64 +25,51 @@ constexpr Precision curves{0.01, 0.05, 0.002, 3000, 2000, 3, 0.5, 20000};
 // bound the index there as precisely.
 constexpr Precision surfaces{0.05, 0.05, 0.01, 10000, 4000, 1, 0.5, 10000};
 
-// Climbs for poses that the bounds from below are those of.
-constexpr std::size_t starts = 300;
-constexpr double first_step = 1.0 / 16.0, last_step = 1.0 / 65536.0;  // as a share of a root
+const Precision& precision(std::size_t dimension) { return dimension <= 2 ? curves : surfaces; }
 
-/// To all neighbours in a grid of points.
-std::vector<MapPoint> directions(std::size_t dimension) {
-  std::vector<MapPoint> result(1);
-  for (std::size_t axis = 0; axis < dimension; ++axis)
-    for (std::size_t i = 0, count = result.size(); i < count; ++i)
-      for (const double step : {1.0, -1.0}) {
-        result.push_back(result[i]);
-        result.back()[axis] = step;
-      }
-  result.erase(result.begin());
-  return result;
+const Precision& precision(const IndexCells& cells) { return precision(cells.tree().dimension()); }
+
+double absolute(const Precision& wanted, ParallelIndex index) {
+  return index == ParallelIndex::normalised ? wanted.absolute : 0.0;
 }
 
-const Precision& precision(const IndexCells& cells) {
-  return cells.tree().dimension() <= 2 ? curves : surfaces;
+/// The upper bound that is precise enough where the index reaches `lower`.
+double precise_enough(double lower, double share, double absolute) {
+  return std::max(lower / (1.0 - share), lower + absolute);
 }
 
 }  // namespace
 
-DeepestIndex::DeepestIndex(IndexCells& cells, ParallelIndex index, const MapControl& control)
+bool is_precise(double upper, double lower, std::size_t dimension, ParallelIndex index) {
+  const Precision& wanted = precision(dimension);
+  return upper <= precise_enough(lower, wanted.inside, absolute(wanted, index));
+}
+
+DeepestIndex::DeepestIndex(IndexCells& cells, const std::map<int, IndexPeak>& peaks, ParallelIndex index,
+                           const MapControl& control)
     : cells_(cells),
-      absolute_(index == ParallelIndex::normalised ? precision(cells).absolute : 0.0),
+      owners_(cells),
+      absolute_(absolute(precision(cells), index)),
       control_(control),
+      peaks_(peaks),
       most_evaluations_(precision(cells).always +
                         static_cast<std::size_t>(precision(cells).share_of_nodes *
-                                                 static_cast<double>(cells.tree().node_count()))) {}
+                                                 static_cast<double>(cells.tree().node_count()))) {
+  for (const auto& [id, peak] : peaks_) upper_[id] = std::numeric_limits<double>::infinity();
+}
 
 void DeepestIndex::search() {
-  climb_everywhere();
-  if (lower_.empty() || is_cancelled(control_) || roots_are_enough()) return;
-  owners_.emplace(cells_);
   for (int round = 0; round < precision(cells_).rounds && !is_cancelled(control_); ++round) {
-    if (round > 0) owners_->find();
+    if (round > 0) owners_.find();
     search_once();
     take_in_bounds();
     if (!has_halved_groups_ || evaluations_ >= most_evaluations_) break;
   }
 }
 
-/// Whether bounds of whole roots are precise enough, as where the index comes close to the largest there is.
-bool DeepestIndex::roots_are_enough() {
-  double highest = 0.0;
-  for (RootIndex root = 0; root < cells_.tree().root_count(); ++root)
-    highest = std::max(highest, cells_.upper(root, IndexCells::Effort::little));
-  const bool result = std::all_of(lower_.begin(), lower_.end(), [&](const auto& each) {
-    return highest <= precise_enough(each.second, precision(cells_).inside);
-  });
-  for (auto& [id, upper] : upper_) upper = highest;
-  return result;
-}
-
 std::map<int, IndexRange> DeepestIndex::ranges() const {
   std::map<int, IndexRange> ranges;
-  for (const auto& [id, lower] : lower_) ranges[id] = {lower, upper_.at(id)};
+  for (const auto& [id, peak] : peaks_) ranges[id] = {peak.index, upper_.at(id)};
   return ranges;
 }
 
@@ -91,53 +77,8 @@ std::map<int, IndexRange> DeepestIndex::ranges() const {
 void DeepestIndex::take_in_bounds() {
   std::map<int, double> upper;
   for (std::size_t owner = 0; owner < progress_.size(); ++owner)
-    for (const int id : owners_->all()[owner].aspects)
-      upper[id] = std::max(upper[id], progress_[owner].upper);
+    for (const int id : owners_.all()[owner].aspects) upper[id] = std::max(upper[id], progress_[owner].upper);
   for (const auto& [id, bound] : upper) upper_[id] = std::min(upper_.at(id), bound);
-}
-
-/// From the highest of some cells of each aspect.
-void DeepestIndex::climb_everywhere() {
-  std::map<int, std::vector<NodeIndex>> inside;
-  for (const NodeIndex cell : cells_.all())
-    if (cells_.is_inside(cell)) inside[cells_.aspect(cell)].push_back(cell);
-  for (const auto& [aspect, cells] : inside) {
-    if (aspect == 0 || is_cancelled(control_)) continue;
-    lower_[aspect] = settled_[aspect] = 0.0;
-    upper_[aspect] = std::numeric_limits<double>::infinity();
-    MapPosition best;
-    double highest = -1.0;
-    for (std::size_t i = 0; i < std::min(starts, cells.size()); ++i) {
-      const NodeIndex cell = cells[i * cells.size() / std::min(starts, cells.size())];
-      const double index = cells_.at(middle(cell)).lower;
-      if (index > highest) std::tie(best, highest) = std::make_pair(middle(cell), index);
-    }
-    climb(aspect, best, highest);
-  }
-}
-
-/// By steps along the coordinates and diagonals, halved where none leads higher, within inside cells of the
-/// aspect.
-void DeepestIndex::climb(int aspect, MapPosition at, double highest) {
-  for (double step = first_step; step > last_step;) {
-    bool is_higher = false;
-    for (const MapPoint& direction : directions(cells_.tree().dimension())) {
-      const MapPosition next = moved(at, direction, step);
-      const auto cell = cells_.tree().leaf_at(next, 0);
-      if (!cell || !cells_.is_inside(*cell) || cells_.aspect(*cell) != aspect) continue;
-      const double index = cells_.at(next).lower;
-      if (index > highest) std::tie(at, highest, is_higher) = std::make_tuple(next, index, true);
-    }
-    if (!is_higher) step *= 0.5;
-  }
-  raise(aspect, highest, at);
-}
-
-MapPosition DeepestIndex::moved(MapPosition at, const MapPoint& direction, double share) const {
-  const Box root = cells_.tree().box(at.root);
-  for (std::size_t axis = 0; axis < root.dimension; ++axis)
-    at.point[axis] += share * direction[axis] * root.width(axis);
-  return at;
 }
 
 void DeepestIndex::search_once() {
@@ -154,10 +95,10 @@ void DeepestIndex::search_once() {
 void DeepestIndex::start() {
   has_halved_groups_ = false;
   queue_ = {};
-  progress_.assign(owners_->all().size(), {});
-  for (auto& [id, settled] : settled_) settled = 0.0;
+  progress_.assign(owners_.all().size(), {});
+  settled_.clear();
   for (RootIndex root = 0; root < cells_.tree().root_count(); ++root)
-    if (owners_->within(root) != 0) queue_.emplace(cells_.upper(root, IndexCells::Effort::little), root);
+    if (owners_.within(root) != 0) queue_.emplace(cells_.upper(root, IndexCells::Effort::little), root);
 }
 
 /// Owners of a node that are bounded precisely enough by the highest upper bound that is left.
@@ -165,26 +106,23 @@ void DeepestIndex::close(double upper, NodeIndex node) {
   const auto close_one = [this, upper](std::size_t owner) {
     if (progress_[owner].is_open && upper <= enough(owner)) settle(owner, upper);
   };
-  if (cells_.is_cell(node) && owners_->of(node) != CellOwners::none) return close_one(owners_->of(node));
+  if (cells_.is_cell(node) && owners_.of(node) != CellOwners::none) return close_one(owners_.of(node));
   for (std::size_t owner = 0; owner < progress_.size(); ++owner)
-    if ((owners_->within(node) & CellOwners::bit(owner)) != 0) close_one(owner);
+    if ((owners_.within(node) & CellOwners::bit(owner)) != 0) close_one(owner);
 }
 
 /// What other owners hold of its aspects need not be bounded any lower.
 void DeepestIndex::settle(std::size_t owner, double upper) {
   progress_[owner].is_open = false;
   progress_[owner].upper = upper;
-  for (const int id : owners_->all()[owner].aspects) {
-    double& settled = settled_[id];
-    settled = std::max(settled, upper);
-  }
+  for (const int id : owners_.all()[owner].aspects) settled_[id] = std::max(settled_[id], upper);
 }
 
 /// By what is left of each.
 void DeepestIndex::close_rest() {
   for (; !queue_.empty(); queue_.pop()) {
     const auto [upper, node] = queue_.top();
-    const std::uint64_t within = owners_->within(node);
+    const std::uint64_t within = owners_.within(node);
     for (std::size_t owner = 0; owner < progress_.size(); ++owner)
       if (progress_[owner].is_open && (within & CellOwners::bit(owner)) != 0)
         progress_[owner].upper = std::max(progress_[owner].upper, upper);
@@ -193,8 +131,8 @@ void DeepestIndex::close_rest() {
 
 bool DeepestIndex::matters(NodeIndex node) const {
   if (cells_.is_cell(node))
-    return owners_->of(node) != CellOwners::none && progress_[owners_->of(node)].is_open;
-  const std::uint64_t within = owners_->within(node);
+    return owners_.of(node) != CellOwners::none && progress_[owners_.of(node)].is_open;
+  const std::uint64_t within = owners_.within(node);
   for (std::size_t owner = 0; owner < progress_.size(); ++owner)
     if (progress_[owner].is_open && (within & CellOwners::bit(owner)) != 0) return true;
   return false;
@@ -223,10 +161,10 @@ void DeepestIndex::open_children(double upper, NodeIndex node) {
   const NodeIndex first = cells_.tree().first_child(node);
   std::vector<IndexCells::Question> questions;
   for (NodeIndex rank = 0; rank < cells_.tree().children_per_node(); ++rank)
-    if (owners_->within(first + rank) != 0) questions.push_back({first + rank, IndexCells::Effort::little});
+    if (owners_.within(first + rank) != 0) questions.push_back({first + rank, IndexCells::Effort::little});
   cells_.bound(questions);
   for (NodeIndex child = first; child < first + cells_.tree().children_per_node(); ++child) {
-    if (owners_->within(child) == 0) continue;
+    if (owners_.within(child) == 0) continue;
     ++evaluations_;
     queue_.emplace(std::min(upper, cells_.upper(child, IndexCells::Effort::little)), child);
   }
@@ -234,8 +172,8 @@ void DeepestIndex::open_children(double upper, NodeIndex node) {
 
 /// Its middle may show that it need not be halved.
 void DeepestIndex::open_cell(double upper, NodeIndex cell) {
-  const std::size_t owner = owners_->of(cell);
-  const bool is_inside = owners_->all()[owner].is_inside;
+  const std::size_t owner = owners_.of(cell);
+  const bool is_inside = owners_.all()[owner].is_inside;
   const Precision& wanted = precision(cells_);
   Progress& progress = progress_[owner];
   look_at_middle(cell, owner);
@@ -259,16 +197,14 @@ void DeepestIndex::look_at_middle(NodeIndex cell, std::size_t owner) {
 void DeepestIndex::halve(double upper, NodeIndex cell) {
   const std::vector<NodeIndex> children = cells_.divide({cell});
   evaluations_ += children.size();
-  for (const NodeIndex found : owners_->take_in(cell, children))
+  for (const NodeIndex found : owners_.take_in(cell, children))
     raise(cells_.aspect(found), cells_.lower(found), middle(found));
   for (const NodeIndex child : children)
     queue_.emplace(std::min(upper, cells_.upper(child, IndexCells::Effort::little)), child);
 }
 
 void DeepestIndex::raise(int aspect, double lower, const MapPosition& at) {
-  if (aspect == 0 || !(lower > lower_.at(aspect))) return;
-  lower_[aspect] = lower;
-  witnesses_[aspect] = at;
+  if (aspect != 0 && lower > peaks_.at(aspect).index) peaks_[aspect] = {lower, at};
 }
 
 MapPosition DeepestIndex::middle(NodeIndex node) const {
@@ -277,19 +213,15 @@ MapPosition DeepestIndex::middle(NodeIndex node) const {
 
 /// Undecided cells are bounded where they make the bound of no aspect loose or, with three coordinates, where
 /// the index is nearly as high in them.
-double DeepestIndex::enough(std::size_t owner) const {
-  const CellOwner& cells = owners_->all()[owner];
+double DeepestIndex::enough(std::size_t owner) {
+  const CellOwner& cells = owners_.all()[owner];
   const Precision& wanted = precision(cells_);
   const double share = cells.is_inside ? wanted.inside : wanted.undecided;
   double least = std::numeric_limits<double>::infinity();
   for (const int id : cells.aspects)
-    least = std::min(least, std::max(precise_enough(lower_.at(id), share), settled_.at(id)));
+    least = std::min(least, std::max(precise_enough(peaks_.at(id).index, share, absolute_), settled_[id]));
   if (wanted.rounds > 1 || cells.is_inside) return least;
-  return std::max(least, precise_enough(progress_[owner].reached, share));
-}
-
-double DeepestIndex::precise_enough(double lower, double share) const {
-  return std::max(lower / (1.0 - share), lower + absolute_);
+  return std::max(least, precise_enough(progress_[owner].reached, share, absolute_));
 }
 
 }  // namespace parallel_aspects

@@ -4,16 +4,19 @@
 
 #include "aspects/basins/cell_owners.h"
 #include "aspects/basins/index_cells.h"
+#include "aspects/basins/index_peaks.h"
 #include "parallel_aspects/aspects/basins.h"
 #include "parallel_aspects/aspects/map_control.h"
 
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace parallel_aspects {
+
+/// Whether an upper bound of the index is so close to a lower one that it need not be lowered.
+bool is_precise(double upper, double lower, std::size_t dimension, ParallelIndex index);
 
 /// Looks for the largest index in each aspect of one working mode and sign of det A by branch and bound, for
 /// all of them at once: of the nodes of the tree that may hold one the one with the highest upper bound is
@@ -21,14 +24,16 @@ namespace parallel_aspects {
 /// precisely enough, or has taken too much work, bounds it.
 class DeepestIndex {
  public:
-  DeepestIndex(IndexCells& cells, ParallelIndex index, const MapControl& control);
+  /// The peaks are those of the mode, sign and index.
+  DeepestIndex(IndexCells& cells, const std::map<int, IndexPeak>& peaks, ParallelIndex index,
+               const MapControl& control);
 
   void search();
 
   /// The largest index in each aspect, by id.
   std::map<int, IndexRange> ranges() const;
-  /// A position in each where the index is no less than the lower end, by id; none where that is 0.
-  const std::map<int, MapPosition>& witnesses() const noexcept { return witnesses_; }
+  /// Where it is no less than the lower end, by id.
+  const std::map<int, IndexPeak>& peaks() const noexcept { return peaks_; }
 
  private:
   using Queue = OpenQueue<std::pair<double, NodeIndex>>;
@@ -42,9 +47,6 @@ class DeepestIndex {
     std::size_t halved = 0;
   };
 
-  bool roots_are_enough();
-  void climb_everywhere();
-  void climb(int aspect, MapPosition at, double highest);
   void search_once();
   void take_in_bounds();
   void start();
@@ -59,18 +61,16 @@ class DeepestIndex {
   void look_at_middle(NodeIndex cell, std::size_t owner);
   void halve(double upper, NodeIndex cell);
   void raise(int aspect, double lower, const MapPosition& at);
-  MapPosition moved(MapPosition at, const MapPoint& direction, double share) const;
   MapPosition middle(NodeIndex node) const;
-  double enough(std::size_t owner) const;
-  double precise_enough(double lower, double share) const;
+  double enough(std::size_t owner);
 
   IndexCells& cells_;
-  std::optional<CellOwners> owners_;  // once they are needed
+  CellOwners owners_;
   double absolute_;
   const MapControl& control_;
-  std::map<int, double> lower_, upper_;  // by id
-  std::map<int, double> settled_;        // highest bound of the owners of each that are not open, by id
-  std::map<int, MapPosition> witnesses_;
+  std::map<int, IndexPeak> peaks_;  // by id
+  std::map<int, double> upper_;
+  std::map<int, double> settled_;  // highest bound of the owners of each that are not open
   std::vector<Progress> progress_;
   Queue queue_;
   std::size_t evaluations_ = 0, most_evaluations_;

@@ -13,15 +13,14 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double close_enough = 0.02;   // bounds of the index in a cell, as a share of the upper one
-constexpr double close_at_pose = 1e-9;  // likewise, at one pose
-constexpr double any_gap = 1.0;         // likewise
-constexpr std::size_t grain = 64;       // cells that are not worth another thread
+constexpr double close_enough = 0.02;  // bounds of the index in a cell, as a share of the upper one
+constexpr double any_gap = 1.0;        // likewise
+constexpr std::size_t grain = 64;      // cells that are not worth another thread
 
 }  // namespace
 
-IndexCells::IndexCells(const AspectMap::Contents& map, std::size_t mode, int sign, ParallelIndex index)
-    : map_(map), mode_(mode), sign_(sign), index_(index), tree_(map.tree.shared_space(), 1) {
+IndexCells::IndexCells(const AspectMap::Contents& map, const IndexOfMode& what)
+    : map_(map), what_(what), tree_(map.tree.shared_space(), 1) {
   aspects_.assign(tree_.node_count(), 0);
   for (RootIndex root = 0; root < tree_.root_count(); ++root) copy(root, root);
   bounds_.resize(tree_.node_count());
@@ -29,10 +28,10 @@ IndexCells::IndexCells(const AspectMap::Contents& map, std::size_t mode, int sig
 
 /// The other sign is left out.
 void IndexCells::copy(NodeIndex from, NodeIndex to) {
-  const LeafState state = map_.tree.state(from, mode_);
+  const LeafState state = map_.tree.state(from, what_.mode);
   if (!state.is_divided()) {
-    tree_.state(to, 0) = state.may_be(sign_) ? state : LeafState::outside();
-    aspects_[to] = map_.leaf_aspect(from, mode_);
+    tree_.state(to, 0) = state.may_be(what_.sign) ? state : LeafState::outside();
+    aspects_[to] = map_.leaf_aspect(from, what_.mode);
     return;
   }
   tree_.state(to, 0) = LeafState::undecided(true, true);
@@ -47,14 +46,6 @@ std::vector<NodeIndex> IndexCells::all() const {
   for (NodeIndex node = 0; node < tree_.node_count(); ++node)
     if (is_cell(node)) cells.push_back(node);
   return cells;
-}
-
-IndexRange IndexCells::at(const MapPosition& position) const {
-  const RoundingUpward rounding;
-  const Box box{tree_.dimension(), position.point, position.point};
-  const Interval range =
-      map_.classifier->enclose_index(position.root, box, mode_, sign_, index_, close_at_pose);
-  return {range.lower(), range.upper()};
 }
 
 const IndexCells::Bounds& IndexCells::bounds(NodeIndex node, Effort effort) const {
@@ -91,7 +82,7 @@ std::vector<Interval> IndexCells::enclose(const std::vector<Question>& questions
   for (const auto& [node, effort] : questions)
     boxes.push_back(
         {tree_.place(node).root, tree_.box(node), effort == Effort::more ? close_enough : any_gap});
-  return enclose_index(*map_.classifier, mode_, sign_, index_, boxes);
+  return enclose_index(*map_.classifier, what_.mode, what_.sign, what_.index, boxes);
 }
 
 void IndexCells::take_in(const Question& question, const Interval& range) const {
@@ -135,7 +126,7 @@ NodeIndex IndexCells::add_children(NodeIndex cell) {
   const NodeIndex first = tree_.divide(cell, [](std::size_t) { return true; });
   aspects_.resize(tree_.node_count(), aspects_[cell]);
   for (NodeIndex rank = 0; inside && rank < tree_.children_per_node(); ++rank)
-    tree_.state(first + rank, 0) = LeafState::inside(sign_);
+    tree_.state(first + rank, 0) = LeafState::inside(what_.sign);
   return first;
 }
 
@@ -144,15 +135,15 @@ void IndexCells::classify_pending(const NodeIndex* nodes, std::size_t count) {
   std::vector<NodeIndex> pending;
   std::copy_if(nodes, nodes + count, std::back_inserter(pending),
                [this](NodeIndex node) { return tree_.state(node, 0).is_pending(); });
-  std::vector<LeafState> states(pending.size() * (mode_ + 1));  // of this mode the last
+  std::vector<LeafState> states(pending.size() * (what_.mode + 1));  // of this mode the last
   BoxRequests requests;
   for (std::size_t i = 0; i < pending.size(); ++i)
-    requests.push_back(
-        {tree_.place(pending[i]).root, tree_.box(pending[i]), ModeSet{1} << mode_, &states[i * (mode_ + 1)]});
+    requests.push_back({tree_.place(pending[i]).root, tree_.box(pending[i]), ModeSet{1} << what_.mode,
+                        &states[i * (what_.mode + 1)]});
   parallel_aspects::classify(*map_.classifier, requests, Detail::states);
   for (std::size_t i = 0; i < pending.size(); ++i) {
-    const LeafState found = requests[i].states[mode_];
-    tree_.state(pending[i], 0) = found.may_be(sign_) ? found : LeafState::outside();
+    const LeafState found = requests[i].states[what_.mode];
+    tree_.state(pending[i], 0) = found.may_be(what_.sign) ? found : LeafState::outside();
   }
 }
 

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BASINS_INDEX_CELLS_H
 #define PARALLEL_ASPECTS_ASPECTS_BASINS_INDEX_CELLS_H
 
+#include "aspects/basins/index_peaks.h"
 #include "aspects/map/map_contents.h"
 #include "aspects/tree/pose_tree.h"
 #include "interval/interval.h"
@@ -23,15 +24,15 @@ namespace parallel_aspects {
 /// halved further, with bounds of an index at these poses. The map must outlive this.
 class IndexCells {
  public:
-  IndexCells(const AspectMap::Contents& map, std::size_t mode, int sign, ParallelIndex index);
+  IndexCells(const AspectMap::Contents& map, const IndexOfMode& what);
 
   const PoseTree& tree() const noexcept { return tree_; }
 
-  bool is_cell(NodeIndex node) const noexcept { return tree_.state(node, 0).may_be(sign_); }
+  bool is_cell(NodeIndex node) const noexcept { return tree_.state(node, 0).may_be(what_.sign); }
   /// Whether all its poses are proved to belong to S(mode, sign).
-  bool is_inside(NodeIndex node) const noexcept { return tree_.state(node, 0).is_inside(sign_); }
+  bool is_inside(NodeIndex node) const noexcept { return tree_.state(node, 0).is_inside(what_.sign); }
   /// Whether all that it holds of S(mode, sign) is proved to lie in one aspect.
-  bool is_whole(NodeIndex node) const noexcept { return tree_.state(node, 0).is_whole(sign_); }
+  bool is_whole(NodeIndex node) const noexcept { return tree_.state(node, 0).is_whole(what_.sign); }
   std::vector<NodeIndex> all() const;
 
   /// No index in it is higher. Bounds are computed when they are first asked for, so that only one thread may
@@ -67,8 +68,8 @@ class IndexCells {
     return tree_.place(cell).level < PoseTree::deepest_level;
   }
 
-  /// The index at one pose. 0 to the largest where it is not known.
-  IndexRange at(const MapPosition& position) const;
+  /// See `index_at`.
+  IndexRange at(const MapPosition& position) const { return index_at(map_, what_, position); }
 
   /// Halves these cells along every coordinate, those alone that can be. Returns their children that are
   /// cells.
@@ -99,9 +100,7 @@ class IndexCells {
   static constexpr std::size_t foreseen_at_once = 8, most_looked_at = 15;
 
   const AspectMap::Contents& map_;
-  std::size_t mode_;
-  int sign_;
-  ParallelIndex index_;
+  IndexOfMode what_;
   PoseTree tree_;  // of this mode alone
   std::vector<int> aspects_;
   mutable std::vector<Bounds> bounds_;

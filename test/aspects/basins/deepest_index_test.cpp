@@ -106,12 +106,14 @@ TEST_P(DeepestIndexTest, NoPoseHasALargerIndex) {
 TEST_P(DeepestIndexTest, WitnessesHaveTheIndexTheyStandFor) {
   const AspectMap::Contents& contents = map->contents();
   for (const int sign : {1, -1}) {
-    IndexCells cells(contents, 0, sign, ParallelIndex::normalised);
-    DeepestIndex deepest(cells, ParallelIndex::normalised, {});
+    const IndexOfMode what{0, sign, ParallelIndex::normalised};
+    IndexCells cells(contents, what);
+    DeepestIndex deepest(cells, find_index_peaks(contents, what, {}), what.index, {});
     deepest.search();
     for (const auto& [id, range] : deepest.ranges()) {
-      ASSERT_EQ(deepest.witnesses().count(id), 1U);
-      const Pose pose = contents.tree.space().pose(deepest.witnesses().at(id));
+      const IndexPeak& peak = deepest.peaks().at(id);
+      EXPECT_EQ(peak.index, range.lower);
+      const Pose pose = contents.tree.space().pose(peak.at);
       const double index = index_at(ParallelIndex::normalised, pose, contents.modes[0]);
       EXPECT_GE(index, range.lower - 1e-9) << text(pose, contents.modes[0]);
       EXPECT_LE(index, range.upper + 1e-9) << text(pose, contents.modes[0]);
