@@ -13,6 +13,8 @@ struct Precision {
   double undecided;      // likewise in undecided cells
   double absolute;       // or this, of the normalised index
   std::size_t halvings;  // of inside cells, for each aspect
+  // Likewise, once other cells bound it no lower: then they count for paths between aspects alone.
+  std::size_t halvings_for_paths;
   std::size_t halvings_of_undecided;  // for each owner of undecided cells and round
   int rounds;                         // since groups fall apart when they are halved
   // Of enclosures, as a share of the number of nodes; whatever that, as many as the second.
@@ -20,10 +22,10 @@ struct Precision {
   std::size_t always;
 };
 
-constexpr Precision curves{0.01, 0.05, 0.002, 3000, 2000, 3, 0.5, 20000};
+constexpr Precision curves{0.01, 0.05, 0.002, 3000, 3000, 2000, 3, 0.5, 20000};
 // With three coordinates undecided cells lie along surfaces: far more boxes than these would be needed to
 // bound the index there as precisely.
-constexpr Precision surfaces{0.05, 0.05, 0.01, 10000, 4000, 1, 0.5, 10000};
+constexpr Precision surfaces{0.05, 0.05, 0.01, 10000, 300, 4000, 1, 0.5, 10000};
 
 const Precision& precision(std::size_t dimension) { return dimension <= 2 ? curves : surfaces; }
 
@@ -173,18 +175,20 @@ void DeepestIndex::open_children(double upper, NodeIndex node) {
 /// Its middle may show that it need not be halved.
 void DeepestIndex::open_cell(double upper, NodeIndex cell) {
   const std::size_t owner = owners_.of(cell);
-  const bool is_inside = owners_.all()[owner].is_inside;
-  const Precision& wanted = precision(cells_);
-  Progress& progress = progress_[owner];
   look_at_middle(cell, owner);
   if (upper <= enough(owner) || !cells_.can_be_halved(cell) ||
-      progress.halved >= (is_inside ? wanted.halvings : wanted.halvings_of_undecided)) {
-    settle(owner, upper);
-    return;
-  }
-  ++progress.halved;
-  has_halved_groups_ = has_halved_groups_ || !is_inside;
+      progress_[owner].halved >= most_halvings(owner, upper))
+    return settle(owner, upper);
+  ++progress_[owner].halved;
+  has_halved_groups_ = has_halved_groups_ || !owners_.all()[owner].is_inside;
   halve(upper, cell);
+}
+
+std::size_t DeepestIndex::most_halvings(std::size_t owner, double upper) {
+  const CellOwner& cells = owners_.all()[owner];
+  const Precision& wanted = precision(cells_);
+  if (!cells.is_inside) return wanted.halvings_of_undecided;
+  return upper > settled_[*cells.aspects.begin()] ? wanted.halvings : wanted.halvings_for_paths;
 }
 
 void DeepestIndex::look_at_middle(NodeIndex cell, std::size_t owner) {
@@ -211,15 +215,17 @@ MapPosition DeepestIndex::middle(NodeIndex node) const {
   return {cells_.tree().place(node).root, cells_.tree().box(node).middle()};
 }
 
-/// Undecided cells are bounded where they make the bound of no aspect loose or, with three coordinates, where
-/// the index is nearly as high in them.
+/// Undecided cells are bounded where they make the bound of no aspect loose, more than others do anyway or,
+/// with three coordinates, where the index is nearly as high in them.
 double DeepestIndex::enough(std::size_t owner) {
   const CellOwner& cells = owners_.all()[owner];
   const Precision& wanted = precision(cells_);
   const double share = cells.is_inside ? wanted.inside : wanted.undecided;
   double least = std::numeric_limits<double>::infinity();
-  for (const int id : cells.aspects)
-    least = std::min(least, std::max(precise_enough(peaks_.at(id).index, share, absolute_), settled_[id]));
+  for (const int id : cells.aspects) {
+    const double settled = cells.is_inside ? 0.0 : settled_[id];
+    least = std::min(least, std::max(precise_enough(peaks_.at(id).index, share, absolute_), settled));
+  }
   if (wanted.rounds > 1 || cells.is_inside) return least;
   return std::max(least, precise_enough(progress_[owner].reached, share, absolute_));
 }

@@ -63,6 +63,7 @@ class DeepestIndex {
   void raise(int aspect, double lower, const MapPosition& at);
   MapPosition middle(NodeIndex node) const;
   double enough(std::size_t owner);
+  std::size_t most_halvings(std::size_t owner, double upper);
 
   IndexCells& cells_;
   CellOwners owners_;
