@@ -119,6 +119,7 @@ class ChartClassifier final : public BoxClassifier {
   void find_unknown_constraints(RootIndex root, const Box& box, ModeSet modes,
                                 ConstraintKinds* kinds) const noexcept override {
     const Intervals intervals(at(root, box));
+    if (is_limited_only()) return find_unknown_limits(intervals, modes, kinds);
     const Forms forms(intervals);
     for_each(modes, [&](std::size_t mode) { kinds[mode] = forms.unknown_constraints(signs_[mode]); });
   }
@@ -159,6 +160,14 @@ class ChartClassifier final : public BoxClassifier {
       if (states[mode].is_undecided()) open |= ModeSet{1} << mode;
     });
     return open;
+  }
+
+  /// Joint values are compared with limits by intervals in every stage: affine forms tell more of B_jj alone.
+  void find_unknown_limits(const Intervals& intervals, ModeSet modes, ConstraintKinds* kinds) const {
+    for_each(modes, [&](std::size_t mode) {
+      kinds[mode][index_of(ConstraintKind::actuated_limits)] =
+          !intervals.reachable_nowhere() && intervals.within_limits(signs_[mode]) == Verdict::unknown;
+    });
   }
 
   void add_whole_parts(const Slopes& slopes, ModeSet modes, Detail detail, LeafState* states) const {
