@@ -14,7 +14,6 @@ namespace parallel_aspects {
 namespace {
 
 constexpr double close_enough = 0.02;  // bounds of the index in a cell, as a share of the upper one
-constexpr double any_gap = 1.0;        // likewise
 constexpr std::size_t grain = 64;      // cells that are not worth another thread
 
 }  // namespace
@@ -81,7 +80,7 @@ std::vector<Interval> IndexCells::enclose(const std::vector<Question>& questions
   std::vector<IndexRequest> boxes;
   for (const auto& [node, effort] : questions)
     boxes.push_back(
-        {tree_.place(node).root, tree_.box(node), effort == Effort::more ? close_enough : any_gap});
+        {tree_.place(node).root, tree_.box(node), effort == Effort::more ? close_enough : any_index_gap});
   return enclose_index(*map_.classifier, what_.mode, what_.sign, what_.index, boxes);
 }
 

@@ -13,7 +13,6 @@ namespace {
 constexpr std::size_t starts = 300;                                   // leaves of an aspect
 constexpr double first_step = 1.0 / 16.0, last_step = 1.0 / 65536.0;  // as a share of a root
 constexpr double close_at_pose = 1e-9;  // bounds of the index, as a share of the upper one
-constexpr double any_gap = 1.0;         // likewise
 
 /// To all neighbours in a grid of points.
 std::vector<MapPoint> directions(std::size_t dimension) {
@@ -103,7 +102,7 @@ double largest_in_region(const AspectMap::Contents& map, const IndexOfMode& what
   const RoundingUpward rounding;
   std::vector<IndexRequest> roots;
   for (RootIndex root = 0; root < map.tree.root_count(); ++root)
-    roots.push_back({root, map.tree.box(root), any_gap});
+    roots.push_back({root, map.tree.box(root), any_index_gap});
   double largest = 0.0;
   for (const Interval& range : enclose_index(*map.classifier, what.mode, what.sign, what.index, roots))
     largest = std::max(largest, range.upper());

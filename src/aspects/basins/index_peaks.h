@@ -19,6 +19,9 @@ struct IndexOfMode {
   ParallelIndex index;
 };
 
+/// Of the share of `BoxClassifier::enclose_index`: every enclosure is close enough.
+inline constexpr double any_index_gap = 1.0;
+
 /// At one pose; 0 to the largest where it is not known.
 IndexRange index_at(const AspectMap::Contents& map, const IndexOfMode& what, const MapPosition& position);
 
