@@ -30,6 +30,10 @@ struct MissingModes {
 /// Those of the modes that the map was computed for.
 MissingModes missing_modes(const AspectMap& map);
 
+/// Whether the region of the map may leave out poses that legs reach in the workspace. Then aspects are
+/// connected within the region, and one of the robot that it cuts may be counted as several.
+bool is_cut_by_region(const AspectMap& map);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_ASPECTS_CONSTRAINT_BOUNDARIES_H

@@ -94,7 +94,8 @@ std::string decode(std::shared_ptr<const Manipulator> manipulator, MapPlan plan,
   if (!map || !reader.ok() || reader.left() != checksum_size) return "its contents contradict themselves";
   const bool is_enough = !complete || map->complete || map->indeterminate_leaves == 0;
   return is_enough ? ""
-                   : "it was computed without `complete`, and leaves open how many aspects there are at most";
+                   : "it was computed without the option `complete`, and leaves open how many aspects there "
+                     "are at most";
 }
 
 MapResult refused(const std::string& what, const std::string& why) {

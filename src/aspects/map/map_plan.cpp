@@ -34,27 +34,13 @@ double longest_edge(const MapPlan& plan, std::uint32_t level) {
   return plan.space->longest_edge(at_level(plan.space->region(), level));
 }
 
-/// Which of x, y and z the coordinates of the map are, in order.
-std::vector<Eigen::Index> mapped_positions(const Manipulator& manipulator, const MapPlan& plan) {
+/// Which of x, y and z the coordinates of a map are, in order.
+std::vector<Eigen::Index> mapped_positions(const Manipulator& manipulator,
+                                           const std::optional<MapSlice>& slice) {
   std::vector<Eigen::Index> result;
   for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(directions(manipulator.task_space())); ++i)
-    if (!plan.slice || plan.slice->moves[static_cast<std::size_t>(i)]) result.push_back(i);
+    if (!slice || slice->moves[static_cast<std::size_t>(i)]) result.push_back(i);
   return result;
-}
-
-/// The positions within reach or in the region that is asked for, and in the workspace.
-std::optional<Box> allowed_positions(const Manipulator& manipulator, const MapOptions& options,
-                                     const MapPlan& plan) {
-  std::optional<Box> positions = options.region ? options.region : plan.classifier->reachable_positions();
-  const auto& workspace = manipulator.constraints().workspace;
-  const std::vector<Eigen::Index> mapped = mapped_positions(manipulator, plan);
-  if (!workspace || mapped.empty()) return positions;
-  if (!positions) positions = unbounded(mapped.size());
-  for (std::size_t i = 0; i < mapped.size(); ++i) {
-    positions->lower[i] = std::max(positions->lower[i], workspace->lower[mapped[i]]);
-    positions->upper[i] = std::min(positions->upper[i], workspace->upper[mapped[i]]);
-  }
-  return positions;
 }
 
 /// Why the workspace holds no pose of the slice; empty otherwise.
@@ -74,17 +60,18 @@ std::string find_workspace_problem(const Manipulator& manipulator, const MapPlan
 /// The positions that the map covers; the message says why there are none, and is empty otherwise.
 std::string find_positions(const Manipulator& manipulator, const MapOptions& options, const MapPlan& plan,
                            Box& positions) {
-  const std::size_t free = mapped_positions(manipulator, plan).size();
+  const std::size_t free = mapped_positions(manipulator, plan.slice).size();
   if (options.region && options.region->dimension != free && (plan.slice || free > 0))
     return "The region of the map has " + std::to_string(options.region->dimension) +
            " coordinates; give one for each position that is free, which are " + std::to_string(free) + ".";
   if (const std::string problem = find_workspace_problem(manipulator, plan); !problem.empty()) return problem;
-  const std::optional<Box> region = allowed_positions(manipulator, options, plan);
+  const std::optional<Box> region = within_workspace(
+      options.region ? options.region : plan.classifier->reachable_positions(), manipulator, plan.slice);
   if (!region)
     return "The legs of '" + manipulator.name() +
-           "' have no limits that bound the workspace; limit the actuated joints in the URDF, or give a "
-           "region or "
-           "a workspace.";
+           "' have no limits that bound the workspace; limit the actuated joints in the URDF, leave these "
+           "limits in "
+           "(actuated_limits), or give a region or a workspace.";
   const std::optional<Box> exact = exact_region(*region);
   if (!exact && manipulator.constraints().workspace && (!options.region || exact_region(*options.region)))
     return "The workspace that the constraints of '" + manipulator.name() + "' name holds no " +
@@ -156,6 +143,19 @@ double default_resolution_of_slice(const Manipulator& manipulator, const MapSlic
 }
 
 }  // namespace
+
+std::optional<Box> within_workspace(std::optional<Box> positions, const Manipulator& manipulator,
+                                    const std::optional<MapSlice>& slice) {
+  const auto& workspace = manipulator.constraints().workspace;
+  const std::vector<Eigen::Index> mapped = mapped_positions(manipulator, slice);
+  if (!workspace || mapped.empty()) return positions;
+  if (!positions) positions = unbounded(mapped.size());
+  for (std::size_t i = 0; i < mapped.size(); ++i) {
+    positions->lower[i] = std::max(positions->lower[i], workspace->lower[mapped[i]]);
+    positions->upper[i] = std::min(positions->upper[i], workspace->upper[mapped[i]]);
+  }
+  return positions;
+}
 
 std::string make_map_plan(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan,
                           const BoxPolicy& policy) {

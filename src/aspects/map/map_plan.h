@@ -33,6 +33,11 @@ struct MapPlan {
 std::string make_map_plan(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan,
                           const BoxPolicy& policy = {});
 
+/// What of these positions, in the coordinates that a map of all poses or of the slice has, is in the
+/// workspace of the constraints; nothing where nothing bounds them.
+std::optional<Box> within_workspace(std::optional<Box> positions, const Manipulator& manipulator,
+                                    const std::optional<MapSlice>& slice);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_ASPECTS_MAP_MAP_PLAN_H

@@ -2,6 +2,7 @@
 #include "parallel_aspects/aspects/constraint_boundaries.h"
 
 #include "aspects/map/map_contents.h"
+#include "aspects/map/map_plan.h"
 #include "interval/interval.h"
 
 #include <tbb/blocked_range.h>
@@ -78,6 +79,18 @@ MissingModes missing_modes(const AspectMap& map) {
     (is_empty ? result.empty : result.unknown).push_back(contents.modes[mode]);
   }
   return result;
+}
+
+bool is_cut_by_region(const AspectMap& map) {
+  const AspectMap::Contents& contents = map.contents();
+  if (map.region().dimension == 0 || (map.slice() && map.slice()->joint)) return false;
+  const std::optional<Box> reach =
+      within_workspace(contents.classifier->reachable_positions(), *contents.manipulator, map.slice());
+  if (!reach) return true;
+  const Box region = map.region();
+  for (std::size_t i = 0; i < reach->dimension; ++i)
+    if (!(region.lower[i] <= reach->lower[i] && reach->upper[i] <= region.upper[i])) return true;
+  return false;
 }
 
 }  // namespace parallel_aspects

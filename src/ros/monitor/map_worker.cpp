@@ -2,6 +2,7 @@
 #include "ros/monitor/map_worker.h"
 
 #include "parallel_aspects/aspects/aspect_graph.h"
+#include "parallel_aspects/aspects/constraint_boundaries.h"
 #include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "ros/messages/conversions.h"
@@ -47,6 +48,7 @@ std::string complete_message(const AspectMap& map) {
   return "The map is complete. Aspects found: " + std::to_string(map.aspects().size()) +
          ", proved: " + (is_exact ? "exactly " : "at least ") + std::to_string(map.proved_count()) +
          (most < 0 || is_exact ? "" : " and at most " + std::to_string(most)) +
+         (is_cut_by_region(map) ? ", in the region" : "") +
          "; pairs unresolved: " + std::to_string(map.unresolved().size()) + "; time: " + seconds + ".";
 }
 

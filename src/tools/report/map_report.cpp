@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/map/map_contents.h"
 #include "aspects/pictures/palette.h"
 #include "model/coefficients.h"
 #include "model/number_text.h"
+#include "parallel_aspects/aspects/constraint_boundaries.h"
 #include "tools/report/basins_report.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/reports.h"
@@ -55,6 +57,7 @@ json json_map(const AspectMap& map) {
                  {"working_modes", json::array()},
                  {"aspects", json::array()},
                  {"proved_count", map.proved_count()},
+                 {"cut_by_region", is_cut_by_region(map)},
                  {"count_at_most", map.count_at_most() ? json(*map.count_at_most()) : json()},
                  {"indeterminate_leaves", map.indeterminate_leaves()},
                  {"inside_components", map.aspects().size()},
@@ -178,9 +181,24 @@ std::string symmetry_text(const AspectMap& map) {
          counted(map.symmetry_use()->computed_modes, "working mode") + " computed\n";
 }
 
+/// How many there are aspects of, and where not all were looked at, how many the robot has.
+std::string mode_count(const AspectMap& map) {
+  const MissingModes missing = missing_modes(map);
+  const std::size_t looked_at = map.working_modes().size() + missing.empty.size() + missing.unknown.size();
+  const std::size_t all = working_modes(*map.manipulator()).size();
+  return (looked_at < all ? std::to_string(map.working_modes().size()) + " of " + counted(all, "working mode")
+                          : counted(map.working_modes().size(), "working mode"));
+}
+
+std::string hiding_text(const AspectMap& map) {
+  if (map.count_at_most()) return "; no further aspect is there";
+  const bool may_be_excluded = !map.slice() && !map.contents().complete;
+  return std::string("; smaller aspects may hide there") +
+         (may_be_excluded ? ", which --complete looks for" : "");
+}
+
 std::string map_text(const AspectMap& map, bool all_aspects, const MapBasins* basins) {
-  std::string text = map.manipulator()->name() + ": " + aspect_count(map) + "; " +
-                     counted(map.working_modes().size(), "working mode") + "\n";
+  std::string text = map.manipulator()->name() + ": " + aspect_count(map) + "; " + mode_count(map) + "\n";
   if (map.slice())
     text += "slice " + to_string(*map.slice()) +
             ": aspects of the slice, of which two may be joined outside of it\n";
@@ -192,7 +210,7 @@ std::string map_text(const AspectMap& map, bool all_aspects, const MapBasins* ba
   text += aspect_table(map, listed.shown, basins) + small_text(map, listed.small);
   text += "\npairs that could be one aspect: " + unresolved_text(map, listed.small) + "\n";
   text += "undecided, over all working modes: " + shown(map.measure_undecided()) + " " + map.unit() +
-          (map.count_at_most() ? "; no further aspect is there" : "; smaller aspects may hide there") + "\n";
+          hiding_text(map) + "\n";
   return text;
 }
 
@@ -208,13 +226,15 @@ json json_margins(const Margins& margins) {
 std::string aspect_count(const AspectMap& map) {
   const std::size_t proved = map.proved_count(), components = map.aspects().size();
   const std::size_t most = map.count_at_most().value_or(components);
-  if (most == proved && map.count_at_most()) return "exactly " + counted(proved, "aspect") + " (proved)";
+  const std::string where = is_cut_by_region(map) ? " in the region" : "";
+  if (most == proved && map.count_at_most())
+    return "exactly " + counted(proved, "aspect") + where + " (proved)";
   const std::string found = map.unresolved().empty()
                                 ? "all proved distinct"
                                 : std::to_string(proved) + " proved distinct; " +
                                       counted(map.unresolved().size(), "pair") + " unresolved";
-  return (most == proved ? "at least " : std::to_string(proved) + " to ") + counted(most, "aspect") + " (" +
-         counted(components, "component") + "; " + found + ")";
+  return (most == proved ? "at least " : std::to_string(proved) + " to ") + counted(most, "aspect") + where +
+         " (" + counted(components, "component") + "; " + found + ")";
 }
 
 Report report_map(const AspectMap& map, const MapReportOptions& options) {

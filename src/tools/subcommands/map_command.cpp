@@ -269,22 +269,23 @@ Report report_of(MapArguments arguments, const Surroundings& surroundings) {
 
 Subcommand map_subcommand() {
   const auto arguments = std::make_shared<MapArguments>();
-  return {"map",
-          "Compute the certified map of aspects, or with six degrees of freedom a certified roadmap",
-          options_of(*arguments),
-          [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); },
-          {{"--neighbours", "Tell which aspects touch across a singularity, and where that is proved",
-            &arguments->neighbours},
-           {"--no-symmetry", "Compute what symmetries of the robot show to be the same, too",
-            &arguments->no_symmetry},
-           {"--complete",
-            "With three degrees of freedom: prove that no small aspects hide, if possible, in many times the "
-            "time",
-            &arguments->complete},
-           {"--all", "List aspects below 1 % of the largest too", &arguments->all_aspects},
-           {"--persistence", "List the basins of each aspect: which parts of it a larger margin separates",
-            &arguments->persistence},
-           {"--verbose", "List every joint that a note is about", &arguments->verbose}}};
+  return {
+      "map",
+      "Compute the certified map of aspects, or with six degrees of freedom a certified roadmap",
+      options_of(*arguments),
+      [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); },
+      {{"--neighbours", "Tell which aspects touch across a singularity, and where that is proved",
+        &arguments->neighbours},
+       {"--no-symmetry", "Compute what symmetries of the robot show to be the same, too",
+        &arguments->no_symmetry},
+       {"--complete",
+        "Prove that no small aspects hide, if possible, in many times the time; needed with three degrees of "
+        "freedom and for fine maps with two",
+        &arguments->complete},
+       {"--all", "List aspects below 1 % of the largest too", &arguments->all_aspects},
+       {"--persistence", "List the basins of each aspect: which parts of it a larger margin separates",
+        &arguments->persistence},
+       {"--verbose", "List every joint that a note is about", &arguments->verbose}}};
 }
 
 }  // namespace parallel_aspects::tools

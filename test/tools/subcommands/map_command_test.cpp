@@ -59,7 +59,24 @@ TEST_F(MapCommand, CountsClaimNoMoreThanIsProved) {
   const std::string apart = run({"map", "three_prr", "--resolution", "0.2"}).output;
   EXPECT_EQ(apart.substr(0, apart.find('\n')),
             "three_prr: at least 16 aspects (16 components; all proved distinct); 8 working modes");
-  EXPECT_NE(apart.find("; smaller aspects may hide there\n"), std::string::npos);
+  EXPECT_NE(apart.find("; smaller aspects may hide there, which --complete looks for\n"), std::string::npos);
+}
+
+// An aspect that the region cuts counts as several.
+TEST_F(MapCommand, CountsSayWhereTheyAreOfLessThanTheRobot) {
+  const auto headline = [this](const std::vector<const char*>& arguments) {
+    const std::string text = run(arguments).output;
+    return text.substr(0, text.find('\n'));
+  };
+  EXPECT_EQ(headline({"map", "five_bar", "--region", "x=4:5 y=-13:13"}),
+            "five_bar: exactly 12 aspects in the region (proved); 4 working modes");
+  EXPECT_EQ(headline({"map", "five_bar", "--region", "x=-20:20 y=-20:20"}),
+            "five_bar: exactly 10 aspects (proved); 4 working modes");
+  EXPECT_EQ(headline({"map", "five_bar", "--mode", "(+,+)"}),
+            "five_bar: exactly 2 aspects (proved); 1 of 4 working modes");
+  EXPECT_EQ(run_json({"map", "five_bar", "--region", "x=4:5 y=-13:13"}).at("cut_by_region"), true);
+  for (const char* robot : {"five_bar", "bipod", "three_rpr", "agile_eye"})
+    EXPECT_EQ(run_json({"map", robot, "--resolution", "1"}).at("cut_by_region"), false) << robot;
 }
 
 TEST_F(MapCommand, SmallAspectsAreOneLineUnlessAskedFor) {
@@ -276,8 +293,7 @@ TEST_F(MapCommand, BadConstraintsAreRefused) {
        "leave the name out.\n"},
       {{"map", "bipod", "--no-constraint", "actuated_limits"},
        "The legs of 'bipod' have no limits that bound the workspace; limit the actuated joints in the URDF, "
-       "or give a "
-       "region or a workspace.\n"}};
+       "leave these limits in (actuated_limits), or give a region or a workspace.\n"}};
   for (const auto& [arguments, message] : cases) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, exit_code::bad_input);
