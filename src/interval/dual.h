@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace parallel_aspects {
 
@@ -17,9 +18,12 @@ struct Dual {
   std::array<Value, N> gradient{};
 
   Dual() = default;
-  Dual(const Value& constant) : value(constant) {}     // NOLINT: constants have no gradient
-  Dual(const Interval& constant) : value(constant) {}  // NOLINT
-  Dual(double constant) : value(constant) {}           // NOLINT
+  Dual(const Value& constant) : value(constant) {}  // NOLINT: constants have no gradient
+  Dual(double constant) : value(constant) {}        // NOLINT
+
+  template <class Constant, class = std::enable_if_t<std::is_same_v<Constant, Interval> &&
+                                                     !std::is_same_v<Value, Interval>>>
+  Dual(const Constant& constant) : value(constant) {}  // NOLINT
 
   /// The i-th pose coordinate itself.
   static Dual coordinate(const Value& range, std::size_t i) {

@@ -23,15 +23,15 @@ Interval held_values(const Box& box) noexcept {
 
 bool CuspFamily::may_hold_cusp(const Box& box) noexcept {
   slice_.hold(held_values(box));
-  const SliceTurns turns(ranges_of(box));
-  if (slice_.within_limits(posture_, turns) == Verdict::fails) return false;
-  const auto legs = legs_over(slice_, posture_, turns);
+  const SlicePlace place = slice_.place(box);
+  if (slice_.within_limits(posture_, place) == Verdict::fails) return false;
+  const auto legs = legs_over(slice_, posture_, place);
   if (!legs) return true;
   if (is_out_of_reach(*legs)) return false;
-  const CuspFunctions<1> over(slice_, *legs, turns);
+  const CuspFunctions<1> over(*legs, place.over());
   if (!over.may_have_cusp()) return false;
   if (!are_regular(*legs)) return true;
-  const TotalGradients<3> slopes(slice_, *legs, over, turns);
+  const TotalGradients<3> slopes(*legs, over, place.over());
   const auto center = at(box.middle());
   if (!center) return true;
   const std::array<const CuspGradient<3>*, 3> gradients{&slopes.d, &slopes.along_kernel[0],
@@ -46,29 +46,29 @@ bool CuspFamily::may_hold_cusp(const Box& box) noexcept {
 
 Verdict CuspFamily::within_limits(const Box& box) noexcept {
   slice_.hold(held_values(box));
-  return slice_.within_limits(posture_, SliceTurns(ranges_of(box)));
+  return slice_.within_limits(posture_, slice_.place(box));
 }
 
 int CuspFamily::held_sign(const Box& box) noexcept {
   slice_.hold(held_values(box));
-  return slice_.held_sign(SliceTurns(ranges_of(box)));
+  return slice_.held_sign(slice_.place(box));
 }
 
 std::optional<FamilyFunctions> CuspFamily::over(const Box& box) noexcept {
   slice_.hold(held_values(box));
-  return functions(SliceTurns(ranges_of(box)));
+  return functions(slice_.place(box));
 }
 
 std::optional<FamilyFunctions> CuspFamily::at(const MapPoint& point) noexcept {
   slice_.hold(pi_enclosure() * Interval(point[2]));
-  return functions(SliceTurns(std::array<double, 2>{point[0], point[1]}));
+  return functions(SlicePlace(std::array<double, 2>{point[0], point[1]}));
 }
 
-std::optional<FamilyFunctions> CuspFamily::functions(const SliceTurns& turns) const noexcept {
-  const auto legs = legs_over(slice_, posture_, turns);
+std::optional<FamilyFunctions> CuspFamily::functions(const SlicePlace& at) const noexcept {
+  const auto legs = legs_over(slice_, posture_, at);
   if (!legs || !are_regular(*legs)) return std::nullopt;
-  const CuspFunctions<1> over(slice_, *legs, turns);
-  const TotalGradients<3> slopes(slice_, *legs, over, turns);
+  const CuspFunctions<1> over(*legs, at.over());
+  const TotalGradients<3> slopes(*legs, over, at.over());
   FamilyFunctions result;
   result.values = {over.d.value(), over.along_kernel[0].value(), over.along_kernel[1].value()};
   result.gradients = {slopes.d, slopes.along_kernel[0], slopes.along_kernel[1]};

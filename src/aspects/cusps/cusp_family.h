@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_CUSPS_CUSP_FAMILY_H
 
 #include "aspects/cusps/cusp_functions.h"
-#include "aspects/cusps/held_slice.h"
+#include "aspects/cusps/planar_held_slice.h"
 #include "interval/interval.h"
 #include "legs/limit_verdict.h"
 #include "parallel_aspects/aspects/box.h"
@@ -28,7 +28,7 @@ struct FamilyFunctions {
 /// coordinate is what derivatives are taken by. All of it needs a live `RoundingUpward`.
 class CuspFamily {
  public:
-  CuspFamily(HeldSlice slice, const SlicePosture& posture) : slice_(std::move(slice)), posture_(posture) {}
+  CuspFamily(const PlanarHeldSlice& slice, const SlicePosture& posture) : slice_(slice), posture_(posture) {}
 
   const SlicePosture& posture() const noexcept { return posture_; }
 
@@ -45,9 +45,9 @@ class CuspFamily {
   std::optional<FamilyFunctions> at(const MapPoint& point) noexcept;
 
  private:
-  std::optional<FamilyFunctions> functions(const SliceTurns& turns) const noexcept;
+  std::optional<FamilyFunctions> functions(const SlicePlace& at) const noexcept;
 
-  HeldSlice slice_;
+  PlanarHeldSlice slice_;
   SlicePosture posture_;
 };
 

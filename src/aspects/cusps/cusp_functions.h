@@ -24,7 +24,7 @@ using CuspLegs = std::array<HeldSlice::LegOver, 2>;
 
 /// Nothing where the box is too large to tell.
 inline std::optional<CuspLegs> legs_over(const HeldSlice& slice, const SlicePosture& posture,
-                                         const SliceTurns& at) noexcept {
+                                         const SlicePlace& at) noexcept {
   const auto first = slice.leg_over(0, posture[0], at);
   if (!first) return std::nullopt;
   const auto second = slice.leg_over(1, posture[1], at);
@@ -51,8 +51,8 @@ struct CuspFunctions {
   Jet<Order + 1> d;
   std::array<Jet<Order>, 2> along_kernel;
 
-  CuspFunctions(const HeldSlice& slice, const CuspLegs& legs, const SliceTurns& at)
-      : g{slice.equation<Order + 2>(0, legs[0], at), slice.equation<Order + 2>(1, legs[1], at)},
+  CuspFunctions(const CuspLegs& legs, const SliceTurns& at)
+      : g{legs[0].equation.jet<Order + 2>(at), legs[1].equation.jet<Order + 2>(at)},
         d(bracket(g[0], g[1])) {
     for (std::size_t i = 0; i < 2; ++i) along_kernel[i] = bracket(d, g[i].template truncated<Order + 1>());
   }
@@ -81,12 +81,11 @@ struct TotalGradients {
   CuspGradient<Dimension> d;
   std::array<CuspGradient<Dimension>, 2> along_kernel;
 
-  TotalGradients(const HeldSlice& slice, const CuspLegs& legs, const CuspFunctions<1>& over,
-                 const SliceTurns& at) {
-    const Jets<2> by_joint{slice.slope<2>(0, legs[0], at), slice.slope<2>(1, legs[1], at)};
+  TotalGradients(const CuspLegs& legs, const CuspFunctions<1>& over, const SliceTurns& at) {
+    const Jets<2> by_joint{legs[0].slope.jet<2>(at), legs[1].slope.jet<2>(at)};
     const Jets<2> g{over.g[0].truncated<2>(), over.g[1].truncated<2>()};
     const Jets<1> d_by_joint{bracket(by_joint[0], g[1]), bracket(g[0], by_joint[1])};
-    set_fixed(slice, legs, over, at);
+    set_fixed(legs, over, at);
     for (std::size_t j = 0; j < 2; ++j) {
       const Interval d_by = d_by_joint[j].value();
       std::array<Interval, 2> along_by{bracket(d_by_joint[j], over.g[0].truncated<1>()).value(),
@@ -105,8 +104,7 @@ struct TotalGradients {
   using Jets = std::array<Jet<Order>, 2>;
 
   /// At fixed joint values.
-  void set_fixed(const HeldSlice& slice, const CuspLegs& legs, const CuspFunctions<1>& over,
-                 const SliceTurns& at) {
+  void set_fixed(const CuspLegs& legs, const CuspFunctions<1>& over, const SliceTurns& at) {
     const auto set = [](const Jet<1>& jet, CuspGradient<Dimension>& gradient) {
       gradient[0] = jet.at(1, 0);
       gradient[1] = jet.at(0, 1);
@@ -116,12 +114,11 @@ struct TotalGradients {
       set(over.along_kernel[i], along_kernel[i]);
       set(over.g[i].template truncated<1>(), slopes_[i]);
     }
-    if constexpr (Dimension == 3) set_fixed_by_held(slice, legs, over, at);
+    if constexpr (Dimension == 3) set_fixed_by_held(legs, over, at);
   }
 
-  void set_fixed_by_held(const HeldSlice& slice, const CuspLegs& legs, const CuspFunctions<1>& over,
-                         const SliceTurns& at) {
-    const Jets<2> by_held{slice.held_slope<2>(0, legs[0], at), slice.held_slope<2>(1, legs[1], at)};
+  void set_fixed_by_held(const CuspLegs& legs, const CuspFunctions<1>& over, const SliceTurns& at) {
+    const Jets<2> by_held{legs[0].held_slope.jet<2>(at), legs[1].held_slope.jet<2>(at)};
     const Jet<1> d_by_held =
         bracket(by_held[0], over.g[1].truncated<2>()) + bracket(over.g[0].truncated<2>(), by_held[1]);
     d[2] = d_by_held.value();

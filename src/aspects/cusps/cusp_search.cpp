@@ -36,18 +36,18 @@ bool may_vanish(const Interval& center, const CuspGradient<2>& gradient, const S
 class CuspTest {
  public:
   CuspTest(const HeldSlice& slice, const SlicePosture& posture, const Box& box)
-      : slice_(slice), posture_(posture), box_(box), over_(SliceTurns(ranges_of(box))) {}
+      : slice_(slice), posture_(posture), box_(box), place_(slice.place(box)) {}
 
   bool may_hold_cusp() const {
-    const auto legs = legs_over(slice_, posture_, over_);
+    const auto legs = legs_over(slice_, posture_, place_);
     if (!legs) return true;
     if (is_out_of_reach(*legs)) return false;
-    const Over over(slice_, *legs, over_);
+    const Over over(*legs, place_.over());
     if (!over.may_have_cusp()) return false;
-    const SliceCenter middle(box_);
-    const auto center = at_center(middle);
+    const SliceCenter& middle = place_.middle();
+    const auto center = at_center();
     if (!are_regular(*legs) || !center) return true;
-    const TotalGradients<2> slopes(slice_, *legs, over, over_);
+    const TotalGradients<2> slopes(*legs, over, place_.over());
     return may_vanish(center->d.value(), slopes.d, middle) &&
            may_vanish(center->along_kernel[0].value(), slopes.along_kernel[0], middle) &&
            may_vanish(center->along_kernel[1].value(), slopes.along_kernel[1], middle);
@@ -55,41 +55,41 @@ class CuspTest {
 
   /// The equation that is the better one of the two in the middle; nothing where none is of use.
   std::optional<std::size_t> better_equation() const {
-    const auto center = at_center(SliceCenter(box_));
+    const auto center = at_center();
     if (!center) return std::nullopt;
     return center->better_equation();
   }
 
   /// Of D and {D, g_i}.
   ZeroSearch newton(std::size_t i) const {
-    const auto legs = legs_over(slice_, posture_, over_);
-    const auto center = at_center(SliceCenter(box_));
+    const auto legs = legs_over(slice_, posture_, place_);
+    const auto center = at_center();
     if (!legs || !are_regular(*legs) || !center) return {Zeros::unknown, box_};
-    const TotalGradients<2> slopes(slice_, *legs, Over(slice_, *legs, over_), over_);
+    const TotalGradients<2> slopes(*legs, Over(*legs, place_.over()), place_.over());
     return krawczyk_test(
         box_, {{center->d.value(), center->along_kernel[i].value()}, {{slopes.d, slopes.along_kernel[i]}}});
   }
 
   /// Whether the gradient of g_i does not vanish.
   bool has_rank_one(std::size_t i) const {
-    const auto leg = slice_.leg_over(i, posture_[i], over_);
+    const auto leg = slice_.leg_over(i, posture_[i], place_);
     if (!leg) return false;
-    const auto g = slice_.equation<1>(i, *leg, over_);
+    const auto g = leg->equation.jet<1>(place_.over());
     return !may_vanish(g.at(1, 0)) || !may_vanish(g.at(0, 1));
   }
 
  private:
-  std::optional<AtCenter> at_center(const SliceCenter& middle) const {
-    const SliceTurns at(middle.at);
+  std::optional<AtCenter> at_center() const {
+    const SlicePlace at(place_.middle().at);
     const auto legs = legs_over(slice_, posture_, at);
     if (!legs || !are_regular(*legs)) return std::nullopt;
-    return AtCenter(slice_, *legs, at);
+    return AtCenter(*legs, at.over());
   }
 
   const HeldSlice& slice_;
   SlicePosture posture_;
   Box box_;
-  SliceTurns over_;
+  SlicePlace place_;
 };
 
 /// The search in one posture.

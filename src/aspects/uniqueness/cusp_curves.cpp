@@ -49,14 +49,13 @@ class CurvesOfRange {
  public:
   CurvesOfRange(const Manipulator& manipulator, const HeldRange& range)
       : manipulator_(manipulator), range_(range) {
-    MapSlice slice;
-    slice.joint = middle_of(manipulator, range);
+    const HeldJoint joint = middle_of(manipulator, range);
     const RoundingUpward rounding;
-    slice_.emplace(manipulator, slice);
+    slice_.emplace(manipulator, joint);
     const Interval held = Interval(range.lower, range.upper) * reciprocal(pi_enclosure());
     bounds_.lower = held.lower();
     bounds_.upper = held.upper();
-    if (!slice.joint->is_angle) bounds_.weights[2] = pi / circle_of_anchor(manipulator, *slice.joint).radius;
+    if (!joint.is_angle) bounds_.weights[2] = pi / circle_of_anchor(manipulator, joint).radius;
   }
 
   CuspCurves find(const MapControl& control) {
@@ -141,7 +140,7 @@ class CurvesOfRange {
 
   const Manipulator& manipulator_;
   HeldRange range_;
-  std::optional<HeldSlice> slice_;
+  std::optional<PlanarHeldSlice> slice_;
   TraceBounds bounds_;
   CuspCurves result_;
   std::vector<CuspEvent> touches_;

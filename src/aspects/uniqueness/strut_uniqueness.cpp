@@ -2,7 +2,7 @@
 #include "aspects/uniqueness/strut_uniqueness.h"
 
 #include "aspects/cusps/cusp_search.h"
-#include "aspects/cusps/held_slice.h"
+#include "aspects/cusps/planar_held_slice.h"
 #include "aspects/cusps/singular_images.h"
 #include "aspects/uniqueness/actuated_space.h"
 #include "aspects/uniqueness/basic_regions.h"
@@ -208,10 +208,10 @@ void find_nodes(const std::vector<CuspBox>& cusps, const MapControl& control, Un
   const Manipulator& robot = *result.map->manipulator();
   const MapSlice& of_map = *result.map->slice();
   const StrutSlice slice(robot, of_map);
-  const HeldSlice held(robot, of_map);
+  const PlanarHeldSlice held(robot, *of_map.joint);
   const StrutPoses poses(robot, slice, of_map.joint->value);
   const auto within_limits = [&held](const Box& box) {
-    return held.within_limits(held.postures().front(), SliceTurns(ranges_of(box)));
+    return held.within_limits(held.postures().front(), held.place(box));
   };
   std::vector<Box> about_cusps;
   for (const CuspBox& cusp : cusps) about_cusps.push_back(cusp.box);

@@ -19,11 +19,6 @@
 namespace parallel_aspects {
 namespace {
 
-/// A pose of a slice, in the middle of a box.
-Pose pose_of(const AnchorCircle& circle, const Box& box) {
-  return circle.pose(pi * box.center(0), pi * box.center(1));
-}
-
 JointVector actuated_of(const Manipulator& manipulator, const HeldJoint& held, const Pose& pose,
                         const WorkingMode& mode) {
   JointVector q = inverse(manipulator, pose, mode).q;
@@ -31,17 +26,21 @@ JointVector actuated_of(const Manipulator& manipulator, const HeldJoint& held, c
   return q;
 }
 
+std::unique_ptr<const HeldSlice> held_slice_of(const Manipulator& manipulator, const HeldJoint& joint) {
+  const RoundingUpward rounding;
+  return make_held_slice(manipulator, joint);
+}
+
 class CuspsOfSlice {
  public:
   CuspsOfSlice(const Manipulator& manipulator, const MapSlice& slice)
       : manipulator_(manipulator),
         held_(*slice.joint),
-        circle_(circle_of_anchor(manipulator, held_)),
-        slice_(made_under_upward_rounding<HeldSlice>(manipulator, slice)) {}
+        slice_(held_slice_of(manipulator, held_)) {}
 
   CuspBoxes boxes(const MapControl& control) const {
     const RoundingUpward rounding;
-    return find_cusp_boxes(slice_, control);
+    return find_cusp_boxes(*slice_, control);
   }
 
   /// Those within limits.
@@ -61,17 +60,17 @@ class CuspsOfSlice {
  private:
   Verdict within_limits(const CuspBox& cusp) const {
     const RoundingUpward rounding;
-    return slice_.within_limits(cusp.posture, SliceTurns(ranges_of(cusp.box)));
+    return slice_->within_limits(cusp.posture, slice_->place(cusp.box));
   }
 
   /// Nothing where it is not known of the leg whose joint is held.
   std::optional<WorkingMode> mode_of(const CuspBox& cusp) const {
     const RoundingUpward rounding;
-    const int held_sign = slice_.held_sign(SliceTurns(ranges_of(cusp.box)));
+    const int held_sign = slice_->held_sign(slice_->place(cusp.box));
     if (held_sign == 0) return std::nullopt;
     WorkingMode mode(manipulator_.leg_count());
     mode.set_sign(held_.leg, held_sign);
-    for (std::size_t i = 0; i < 2; ++i) mode.set_sign(slice_.leg(i), cusp.posture[i]);
+    for (std::size_t i = 0; i < 2; ++i) mode.set_sign(slice_->leg(i), cusp.posture[i]);
     return mode;
   }
 
@@ -80,15 +79,14 @@ class CuspsOfSlice {
     const auto mode = mode_of(box);
     if (verdict == Verdict::unknown || !mode) result.complete = false;
     if (verdict != Verdict::holds || !mode) return;
-    const Pose pose = pose_of(circle_, box.box);
+    const Pose pose = slice_->pose({box.box.center(0), box.box.center(1)});
     result.cusps.push_back({actuated_of(manipulator_, held_, pose, *mode), *mode, pose,
                             0.5 * pi * std::max(box.box.width(0), box.box.width(1))});
   }
 
   const Manipulator& manipulator_;
   HeldJoint held_;
-  AnchorCircle circle_;
-  HeldSlice slice_;
+  std::unique_ptr<const HeldSlice> slice_;
 };
 
 /// What robots of SE2 have in place of the theorem.

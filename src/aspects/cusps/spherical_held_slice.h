@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_CUSPS_SPHERICAL_HELD_SLICE_H
+#define PARALLEL_ASPECTS_ASPECTS_CUSPS_SPHERICAL_HELD_SLICE_H
+
+#include "aspects/cusps/held_orientations.h"
+#include "aspects/cusps/held_slice.h"
+#include "legs/spatial_leg.h"
+
+namespace parallel_aspects {
+
+/// The slice of a robot of SO3, in the coordinates of `HeldOrientations`.
+///
+/// With p_i = R b_i the equation of leg i is g_i(x, q_i) = (|p_i - c_i(q_i)|^2 - rho_i^2) / 2 = 0, at a fixed
+/// joint value a constant less p_i.c_i, a sum of four cosines; so is its derivative by the joint value where
+/// c_i moves, (c_i - p_i).c_i'.
+class SphericalHeldSlice : public HeldSlice {
+ public:
+  SphericalHeldSlice(const Manipulator& manipulator, const HeldJoint& joint);
+
+  std::optional<LegOver> leg_over(std::size_t i, int sign, const SlicePlace& at) const noexcept override;
+  Pose pose(const std::array<double, 2>& at) const override { return orientations_.pose(at); }
+
+ private:
+  struct MovingLeg {
+    SpatialLeg leg;
+    Spatial<Interval> anchor;                    // in the platform
+    std::array<CosineSum, 3> displacement;       // of the anchor from the base point
+    Spatial<Interval> crank_axis{}, rail{};      // how c moves; zero where it does not
+    bool moves = false;                          // whether c moves
+
+    MovingLeg(const Leg& moving, const HeldOrientations& orientations);
+    void set(const RevoluteActuation& crank);
+    void set(const PrismaticActuation& slide);
+    void set(const StrutActuation& strut);
+    void set(const ElbowActuation& elbow);
+    Spatial<Interval> joint_slope(const Spatial<Interval>& c) const;
+  };
+
+  Verdict leg_within_limits(std::size_t i, int sign, const SlicePlace& at) const noexcept override;
+  Interval held_entry(const SlicePlace& at) const noexcept override;
+
+  HeldOrientations orientations_;
+  CosineSum held_entry_;
+  std::array<MovingLeg, 2> legs_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_CUSPS_SPHERICAL_HELD_SLICE_H
