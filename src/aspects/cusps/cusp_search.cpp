@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <optional>
 
 namespace parallel_aspects {
@@ -18,6 +19,10 @@ constexpr double largest_tested = 0.1, smallest_box = 0x1p-30;
 
 // Boxes that are looked at in all. A slice with some ten cusps takes some ten thousand.
 constexpr std::size_t largest_effort = 1000000;
+
+// Boxes of one size that are left at once. Some thousand are where D and both equations vanish along curves;
+// these would take all of the effort, and settle nothing.
+constexpr std::size_t most_open = 20000;
 
 // Newton's test of a somewhat larger box also proves cusps that lie on a face.
 constexpr double inflation = 1.5;
@@ -100,13 +105,15 @@ class CuspSearch {
 
   void run(CuspBoxes& result) {
     boxes_.push_back(whole_slice());
-    for (std::size_t effort = 0; !boxes_.empty(); ++effort) {
+    for (std::size_t effort = 0; !boxes_.empty() && boxes_.size() < most_open; ++effort) {
       if (effort % 1024 == 0 && is_cancelled(control_)) result.cancelled = true;
-      if (result.cancelled) break;
-      const Box box = boxes_.back();
-      boxes_.pop_back();
-      if (effort >= largest_effort || !examine(box)) result.undecided.push_back({box, posture_});
+      if (result.cancelled || effort >= largest_effort) break;
+      const Box box = boxes_.front();
+      boxes_.pop_front();
+      if (!examine(box)) result.undecided.push_back({box, posture_});
     }
+    result.has_curves = result.has_curves || boxes_.size() >= most_open;
+    for (const Box& box : boxes_) result.undecided.push_back({box, posture_});
     for (const Known& each : known_) result.cusps.push_back({without_turns(each.enclosure), posture_});
   }
 
@@ -159,7 +166,7 @@ class CuspSearch {
   const HeldSlice& slice_;
   SlicePosture posture_;
   const MapControl& control_;
-  std::vector<Box> boxes_;
+  std::deque<Box> boxes_;  // the largest first
   std::vector<Known> known_;
 };
 
