@@ -2,20 +2,35 @@
 #include "tools/held_range.h"
 
 #include "tools/arguments.h"
+#include "tools/numbers.h"
+
+#include <optional>
 
 namespace parallel_aspects::tools {
+
+namespace {
+
+/// The leg whose actuated joint has this name.
+std::optional<std::size_t> leg_of(const std::string& option, const Manipulator& robot,
+                                  const std::string& joint, Problems& problems) {
+  std::string joints;
+  for (std::size_t j = 0; j < robot.leg_count(); ++j) {
+    if (robot.leg(j).actuated_joint == joint) return j;
+    joints += (joints.empty() ? "" : ", ") + robot.leg(j).actuated_joint;
+  }
+  problems.push_back(option + " names '" + joint + "'; give one of the actuated joints: " + joints + ".");
+  return std::nullopt;
+}
+
+}  // namespace
 
 HeldRange parse_held_range(const std::string& option, const Manipulator& robot, const std::string& text,
                            Problems& problems) {
   const std::string joint = text.substr(0, text.find('='));
   HeldRange range;
-  std::string joints;
-  while (range.leg < robot.leg_count() && robot.leg(range.leg).actuated_joint != joint)
-    joints += (joints.empty() ? "" : ", ") + robot.leg(range.leg++).actuated_joint;
-  if (range.leg == robot.leg_count()) {
-    problems.push_back(option + " names '" + joint + "'; give one of the actuated joints: " + joints + ".");
-    return range;
-  }
+  const auto leg = leg_of(option, robot, joint, problems);
+  if (!leg) return range;
+  range.leg = *leg;
   const JointLimits& limits = robot.leg(range.leg).limits;
   range.lower = limits.lower;
   range.upper = limits.upper;
@@ -28,6 +43,22 @@ HeldRange parse_held_range(const std::string& option, const Manipulator& robot, 
   const std::string problem = problems.size() > known ? "" : find_held_range_problem(robot, range);
   if (!problem.empty()) problems.push_back(problem);
   return range;
+}
+
+HeldJoint parse_held_joint(const std::string& option, const Manipulator& robot, const std::string& text,
+                           Problems& problems) {
+  const std::size_t equals = text.find('=');
+  const std::string joint = text.substr(0, equals);
+  const auto leg = leg_of(option, robot, joint, problems);
+  if (!leg) return {};
+  HeldJoint held{*leg, 0.0, robot.leg(*leg).actuated_by_angle()};
+  const auto value = parse_numbers(option, equals == std::string::npos ? "" : text.substr(equals + 1),
+                                   {joint}, problems);
+  if (value.empty()) return held;
+  held.value = value.front();
+  const std::string problem = find_cusps_problem(robot, held);
+  if (!problem.empty()) problems.push_back(problem);
+  return held;
 }
 
 }  // namespace parallel_aspects::tools

@@ -14,6 +14,10 @@ namespace parallel_aspects::tools {
 HeldRange parse_held_range(const std::string& option, const Manipulator& robot, const std::string& text,
                            Problems& problems);
 
+/// The actuated joint that `text` holds, such as "crank_1_joint=0.3".
+HeldJoint parse_held_joint(const std::string& option, const Manipulator& robot, const std::string& text,
+                           Problems& problems);
+
 }  // namespace parallel_aspects::tools
 
 #endif  // PARALLEL_ASPECTS_TOOLS_HELD_RANGE_H

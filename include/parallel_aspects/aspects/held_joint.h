@@ -38,8 +38,11 @@ struct AnchorCircle {
 /// Of the leg whose joint is held.
 AnchorCircle circle_of_anchor(const Manipulator& manipulator, const HeldJoint& joint) noexcept;
 
-/// Why the joint can not be held there; empty where it can.
+/// Why a map can not hold the joint there; empty where it can.
 std::string find_held_joint_problem(const Manipulator& manipulator, const HeldJoint& joint);
+
+/// Why the joint of a leg of SE2 or SO3 can not be held there; empty where it can.
+std::string find_held_value_problem(const Manipulator& manipulator, const HeldJoint& joint);
 
 }  // namespace parallel_aspects
 

@@ -25,8 +25,9 @@ struct Cusp {
   JointVector actuated;  ///< all actuated joints, that which is held among them [m or rad]
   WorkingMode mode;      ///< of all three
   Pose pose;             ///< where the three meet
-  /// A box about the pose, of half this width in the direction of the held rod and in phi [rad], is proved to
-  /// hold exactly one cusp, an ordinary one.
+  /// A box about the pose, of half this width in both coordinates of the slice [rad], is proved to hold
+  /// exactly one cusp, an ordinary one. In SE2 these are the direction of the held rod and phi; in SO3 the
+  /// platform is turned about the anchor of the held rod, and then that about its proximal point.
   double accuracy = 0.0;
 };
 
@@ -93,6 +94,9 @@ struct BasicComponent {
 struct CuspList {
   std::vector<Cusp> cusps;  ///< within limits, by rising actuated values
   bool complete = false;    ///< it is proved that there are no others within limits
+  /// Where it is not complete: bounds leave curves of poses, as those along which the platform can move while
+  /// all actuated joints stand; such curves are not looked at closely.
+  bool leaves_curves = false;
 };
 
 /// An actuated joint that is held at each value of a range in turn.
@@ -225,9 +229,15 @@ UniquenessResult compute_uniqueness(std::shared_ptr<const Manipulator> manipulat
 UniquenessResult compute_uniqueness(std::shared_ptr<const AspectMap> map,
                                     const UniquenessOptions& options = {}, const MapControl& control = {});
 
-/// The cusps alone, of a slice of SE2 that holds an actuated joint; a cancelled list is not complete. Of any
-/// other slice see `find_uniqueness_problem`.
+/// The cusps alone of a robot of SE2 or SO3 with a joint held; a cancelled list is not complete. Where there
+/// is a `find_cusps_problem` there is no answer.
+CuspList find_cusps(const Manipulator& manipulator, const HeldJoint& joint, const MapControl& control = {});
+
+/// The same of a slice of SE2 that holds a joint. Of any other slice see `find_uniqueness_problem`.
 CuspList find_cusps(const Manipulator& manipulator, const MapSlice& slice, const MapControl& control = {});
+
+/// Why there is no list of cusps with this joint held; empty where there is one.
+std::string find_cusps_problem(const Manipulator& manipulator, const HeldJoint& joint);
 
 /// The curves that cusps form over the value that is held; a cancelled list is not complete. Of a range with
 /// a `find_held_range_problem` there is no answer.

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <variant>
@@ -69,12 +69,7 @@ class HeldPoint {
     squared_rod = square(Interval(strut.length_at_zero) + Interval(strut.sense) * Interval(q_));
   }
 
-  void set(const ElbowActuation& elbow) {
-    const Interval inner(elbow.inner_length), outer(elbow.outer_length);
-    c = enclosed(elbow.base);
-    squared_rod = square(inner) + square(outer) +
-                  Interval(2.0) * inner * outer * enclosed_turn(elbow.angle_at_zero + elbow.sense * q_).cosine;
-  }
+  void set(const ElbowActuation&) { assert(!"an actuated elbow is not held"); }
 
   double q_;
 };

@@ -44,6 +44,16 @@ std::vector<HeldCoordinate> others_of(const Manipulator& manipulator,
   return result;
 }
 
+/// Whether the anchor of a leg of SO3 moves on a circle about the center while the joint is held.
+bool has_cone(const Leg& leg, double value) {
+  constexpr double least_sine = 1e-6;  // of the angle between the anchor and the proximal point
+  const Eigen::Vector3d c = leg.proximal_point(value);
+  const double product = c.norm() * leg.anchor.norm();
+  const double cosine =
+      0.5 * (c.squaredNorm() + leg.anchor.squaredNorm() - leg.squared_distance(value)) / product;
+  return leg.can_have(value) && product > 0.0 && 1.0 - cosine * cosine > least_sine * least_sine;
+}
+
 }  // namespace
 
 Eigen::Vector2d AnchorCircle::rod(const Pose& pose) const noexcept {
@@ -76,6 +86,10 @@ std::string find_held_joint_problem(const Manipulator& manipulator, const HeldJo
   if (manipulator.task_space() != TaskSpace::SE2)
     return "A slice of " + std::string(name(manipulator.task_space())) +
            " can hold pose coordinates only; joints can be held in SE2.";
+  return find_held_value_problem(manipulator, joint);
+}
+
+std::string find_held_value_problem(const Manipulator& manipulator, const HeldJoint& joint) {
   if (joint.leg >= manipulator.leg_count())
     return "The slice holds the joint of a leg that '" + manipulator.name() + "' does not have.";
   if (manipulator.tolerance() > 0.0)
@@ -93,6 +107,11 @@ std::string find_held_joint_problem(const Manipulator& manipulator, const HeldJo
   if (!leg.limits.contain(joint.value))
     return start + "outside of its limits, " + number_text(leg.limits.lower) + " to " +
            number_text(leg.limits.upper) + "; hold it inside.";
+  if (manipulator.task_space() == TaskSpace::SO3)
+    return has_cone(leg, joint.value)
+               ? ""
+               : start + "where its leg lets the platform turn about one axis at most; hold another joint or "
+                         "value.";
   if (!leg.can_have(joint.value) || !(circle_of_anchor(manipulator, joint).radius > held_joint_tolerance))
     return start + "where its leg has no length in the plane; give another value.";
   return "";

@@ -33,9 +33,9 @@ std::unique_ptr<const HeldSlice> held_slice_of(const Manipulator& manipulator, c
 
 class CuspsOfSlice {
  public:
-  CuspsOfSlice(const Manipulator& manipulator, const MapSlice& slice)
+  CuspsOfSlice(const Manipulator& manipulator, const HeldJoint& joint)
       : manipulator_(manipulator),
-        held_(*slice.joint),
+        held_(joint),
         slice_(held_slice_of(manipulator, held_)) {}
 
   CuspBoxes boxes(const MapControl& control) const {
@@ -47,6 +47,7 @@ class CuspsOfSlice {
   CuspList list(const CuspBoxes& boxes) const {
     CuspList result;
     result.complete = !boxes.cancelled;
+    result.leaves_curves = boxes.has_curves;
     for (const CuspBox& box : boxes.cusps) add(box, result);
     for (const CuspBox& box : boxes.undecided)
       if (within_limits(box) != Verdict::fails) result.complete = false;
@@ -93,7 +94,7 @@ class CuspsOfSlice {
 void look_into(const Manipulator& manipulator, const UniquenessOptions& options, const MapControl& control,
                Uniqueness& result) {
   if (result.map->slice()) {
-    const CuspsOfSlice slice(manipulator, *result.map->slice());
+    const CuspsOfSlice slice(manipulator, *result.map->slice()->joint);
     const CuspBoxes boxes = slice.boxes(control);
     CuspList cusps = slice.list(boxes);
     result.cusps = std::move(cusps.cusps);
@@ -115,9 +116,13 @@ void take_whole_aspects(Uniqueness& result) {
 
 }  // namespace
 
-CuspList find_cusps(const Manipulator& manipulator, const MapSlice& slice, const MapControl& control) {
-  const CuspsOfSlice of(manipulator, slice);
+CuspList find_cusps(const Manipulator& manipulator, const HeldJoint& joint, const MapControl& control) {
+  const CuspsOfSlice of(manipulator, joint);
   return of.list(of.boxes(control));
+}
+
+CuspList find_cusps(const Manipulator& manipulator, const MapSlice& slice, const MapControl& control) {
+  return find_cusps(manipulator, *slice.joint, control);
 }
 
 UniquenessResult compute_uniqueness(std::shared_ptr<const AspectMap> map, const UniquenessOptions& options,

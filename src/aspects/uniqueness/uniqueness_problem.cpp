@@ -66,6 +66,12 @@ std::string find_problem_in_se2(const Manipulator& manipulator, const Uniqueness
   return problem.empty() ? find_constraint_problem(manipulator) : problem;
 }
 
+std::string find_why_without_cusps(const Manipulator& manipulator) {
+  if (!has_one_solution_a_sign(manipulator.task_space())) return "";
+  return "In " + std::string(name(manipulator.task_space())) + " no three direct solutions meet, so that " +
+         in_quotes(manipulator.name()) + " has no cusps.";
+}
+
 }  // namespace
 
 bool has_one_solution_a_sign(TaskSpace space) noexcept {
@@ -88,9 +94,8 @@ bool has_struts_alone(const Manipulator& manipulator) noexcept {
 }
 
 std::string find_held_range_problem(const Manipulator& manipulator, const HeldRange& range) {
-  if (has_one_solution_a_sign(manipulator.task_space()))
-    return "In " + std::string(name(manipulator.task_space())) + " no three direct solutions meet, so that " +
-           in_quotes(manipulator.name()) + " has no cusps.";
+  const std::string none = find_why_without_cusps(manipulator);
+  if (!none.empty()) return none;
   if (!std::isfinite(range.lower) || !std::isfinite(range.upper))
     return "The joint that is held has no limits on both sides; give the ends of a range.";
   if (!(range.lower < range.upper))
@@ -102,6 +107,16 @@ std::string find_held_range_problem(const Manipulator& manipulator, const HeldRa
   if (manipulator.leg(range.leg).actuated_by_angle() && range.upper - range.lower > full_turn)
     return "The range of the joint that is held is more than a full turn; give one turn or less.";
   return find_constraint_problem(manipulator);
+}
+
+std::string find_cusps_problem(const Manipulator& manipulator, const HeldJoint& joint) {
+  const std::string none = find_why_without_cusps(manipulator);
+  if (!none.empty()) return none;
+  if (manipulator.task_space() == TaskSpace::SE3)
+    return "With one joint held the cusps of " + in_quotes(manipulator.name()) +
+           " are no points, since it moves in SE3; they are listed in SE2 and SO3.";
+  const std::string problem = find_held_value_problem(manipulator, joint);
+  return problem.empty() ? find_constraint_problem(manipulator) : problem;
 }
 
 std::string find_uniqueness_problem(const Manipulator& manipulator, const UniquenessOptions& options) {

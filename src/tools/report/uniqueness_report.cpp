@@ -117,22 +117,25 @@ std::vector<std::string> cusp_titles(const Manipulator& robot) {
   return titles;
 }
 
-std::string cusps_text(const Uniqueness& uniqueness) {
-  const Manipulator& robot = *uniqueness.map->manipulator();
-  if (!uniqueness.map->slice() && !uniqueness.at_most_one_a_sign)
-    return "Cusps form curves; --slice lists those of a value of an actuated joint, --cusps-over follows "
-           "them.\n";
-  std::string text = counted(uniqueness.cusps.size(), "cusp") + ", " +
-                     (uniqueness.cusps_complete ? "proved to be all" : "there may be more") + "\n";
-  if (uniqueness.cusps.empty()) return text;
+std::string cusps_text(const Manipulator& robot, const std::vector<Cusp>& cusps, bool complete) {
+  const std::string text =
+      counted(cusps.size(), "cusp") + ", " + (complete ? "proved to be all" : "there may be more") + "\n";
+  if (cusps.empty()) return text;
   TextTable table(cusp_titles(robot));
-  for (const Cusp& cusp : uniqueness.cusps) {
+  for (const Cusp& cusp : cusps) {
     std::vector<std::string> cells = joint_cells(cusp.actuated);
     if (has_modes(robot)) cells.push_back(to_string(cusp.mode));
     cells.push_back(to_string(robot.task_space(), cusp.pose));
     table.add(std::move(cells));
   }
   return text + table.text();
+}
+
+std::string cusps_text(const Uniqueness& uniqueness) {
+  if (!uniqueness.map->slice() && !uniqueness.at_most_one_a_sign)
+    return "Cusps form curves; --slice lists those of a value of an actuated joint, --cusps-over follows "
+           "them.\n";
+  return cusps_text(*uniqueness.map->manipulator(), uniqueness.cusps, uniqueness.cusps_complete);
 }
 
 std::string nodes_text(const Uniqueness& uniqueness) {
@@ -254,6 +257,28 @@ Report report_uniqueness(const Uniqueness& uniqueness) {
   return {object, headline(uniqueness) + '\n' + components_text(map) + '\n' + cusps_text(uniqueness) +
                       nodes_text(uniqueness) + regions_text(uniqueness) + basic_regions_text(uniqueness) +
                       domains_text(uniqueness) + '\n' + constraints.text};
+}
+
+Report report_cusps(const Manipulator& robot, const HeldJoint& held, const CuspList& found) {
+  const Leg& leg = robot.leg(held.leg);
+  json object = {{"mechanism", robot.name()},
+                 {"task_space", std::string(name(robot.task_space()))},
+                 {"slice", {{"held", {{leg.actuated_joint, held.value}}}}},
+                 {"cusps", json::array()},
+                 {"cusps_complete", found.complete},
+                 {"undecided_curves", found.leaves_curves}};
+  for (const Cusp& cusp : found.cusps) object["cusps"].push_back(json_cusp(robot, cusp));
+  const Report constraints = report_constraints(robot);
+  object.update(constraints.json);
+  const std::string why =
+      found.leaves_curves
+          ? "Not decided are curves of poses, as those along which the platform can move while all actuated "
+            "joints stand.\n"
+          : "";
+  return {object, robot.name() + ", " + leg.actuated_joint + " = " + number_text(held.value) + " " +
+                      joint_unit(leg) + ": cusps alone, since regions of actuated values are not found in " +
+                      std::string(name(robot.task_space())) + "\n\n" +
+                      cusps_text(robot, found.cusps, found.complete) + why + '\n' + constraints.text};
 }
 
 }  // namespace parallel_aspects::tools

@@ -10,6 +10,9 @@ namespace parallel_aspects::tools {
 /// `aspects uniqueness`: aspects, cusps and uniqueness domains.
 Report report_uniqueness(const Uniqueness& uniqueness);
 
+/// The same of a slice of SO3: cusps alone.
+Report report_cusps(const Manipulator& robot, const HeldJoint& held, const CuspList& found);
+
 /// `aspects uniqueness --cusps-over`: curves of cusps.
 Report report_cusp_curves(const Manipulator& robot, const CuspCurves& found);
 

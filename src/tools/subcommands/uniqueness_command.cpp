@@ -49,6 +49,26 @@ bool is_surveyed(const Manipulator& robot) {
   return !has_one_solution_a_sign(robot.task_space()) && robot.task_space() != TaskSpace::SE2;
 }
 
+/// In SO3 with a joint held.
+Report report_of_cusps(const UniquenessArguments& arguments, const Manipulator& robot, Problems problems,
+                       const Surroundings& surroundings) {
+  for (const auto& [option, text] :
+       {std::pair<std::string, const std::string&>{"--cusps-over", arguments.cusps_over},
+        {"--resolution", arguments.resolution},
+        {"--picture", arguments.picture},
+        {"--samples", arguments.roadmap.samples},
+        {"--seed", arguments.roadmap.seed},
+        {"--poses", arguments.poses}})
+    if (!text.empty())
+      problems.push_back("In SO3 --slice lists cusps alone; leave " + option + " or it out.");
+  const HeldJoint held = parse_held_joint("--slice", robot, arguments.slice, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  const ShownComputation shown(surroundings);
+  const CuspList found = find_cusps(robot, held, shown.control());
+  shown.require_complete();
+  return report_cusps(robot, held, found);
+}
+
 Report report_of_survey(const UniquenessArguments& arguments, const std::shared_ptr<const Manipulator>& robot,
                         Problems problems, const Surroundings& surroundings) {
   for (const auto& [option, text] : {std::pair<std::string, const std::string&>{"--slice", arguments.slice},
@@ -80,6 +100,8 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
   check_distinct_files({{"--picture", arguments.picture}},
                        {{"--urdf", arguments.robot.urdf_file}, {"--config", arguments.robot.config_file}},
                        problems);
+  if (manipulator->task_space() == TaskSpace::SO3 && !arguments.slice.empty())
+    return report_of_cusps(arguments, *manipulator, std::move(problems), surroundings);
   if (is_surveyed(*manipulator))
     return report_of_survey(arguments, manipulator, std::move(problems), surroundings);
   for (const auto& [option, text] :
@@ -117,8 +139,8 @@ Subcommand uniqueness_subcommand() {
   std::vector<Option> options = robot_options(arguments->robot);
   options.push_back(
       {"--slice", "\"strut_1_joint=15\"",
-       "In SE2: the actuated joint that is held, with its value [m or rad]; without it all poses, of three "
-       "struts within limits",
+       "In SE2 and SO3: the actuated joint that is held, with its value [m or rad], in SO3 for cusps alone; "
+       "without it, in SE2, all poses, of three struts within limits",
        &arguments->slice});
   options.push_back(
       {"--cusps-over", "\"strut_1_joint=10:32\"",
