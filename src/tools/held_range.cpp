@@ -48,12 +48,16 @@ HeldRange parse_held_range(const std::string& option, const Manipulator& robot, 
 HeldJoint parse_held_joint(const std::string& option, const Manipulator& robot, const std::string& text,
                            Problems& problems) {
   const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || words_of_list(text).size() != 1) {
+    problems.push_back(option + " has '" + text + "'; give one actuated joint with its value, such as \"" +
+                       robot.leg(0).actuated_joint + "=0.3\".");
+    return {};
+  }
   const std::string joint = text.substr(0, equals);
   const auto leg = leg_of(option, robot, joint, problems);
   if (!leg) return {};
   HeldJoint held{*leg, 0.0, robot.leg(*leg).actuated_by_angle()};
-  const auto value = parse_numbers(option, equals == std::string::npos ? "" : text.substr(equals + 1),
-                                   {joint}, problems);
+  const auto value = parse_numbers(option, text.substr(equals + 1), {joint}, problems);
   if (value.empty()) return held;
   held.value = value.front();
   const std::string problem = find_cusps_problem(robot, held);

@@ -115,6 +115,9 @@ std::string find_cusps_problem(const Manipulator& manipulator, const HeldJoint& 
   if (manipulator.task_space() == TaskSpace::SE3)
     return "With one joint held the cusps of " + in_quotes(manipulator.name()) +
            " are no points, since it moves in SE3; they are listed in SE2 and SO3.";
+  if (manipulator.tolerance() > 0.0)
+    return "Cusps are of a robot without tolerances, and " + in_quotes(manipulator.name()) +
+           " has some; leave them out.";
   const std::string problem = find_held_value_problem(manipulator, joint);
   return problem.empty() ? find_constraint_problem(manipulator) : problem;
 }

@@ -214,7 +214,7 @@ std::optional<CuspTrace> trace_through(const Robot& robot, const Cusp& cusp, con
   const MapSlice slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, cusp.actuated[0]}});
   const Eigen::Vector2d rod = circle_of_anchor(*robot, *slice.joint).rod(cusp.pose);
   const RoundingUpward rounding;
-  const HeldSlice held(*robot, slice);
+  const PlanarHeldSlice held(*robot, *slice.joint);
   CuspFamily family(held, held.postures().front());
   const auto& turn = cusp.pose.orientation;
   const MapPoint at{std::atan2(rod.y(), rod.x()) / pi,
@@ -239,7 +239,7 @@ void expect_chain(const CuspTrace& trace) {
 CurveRuns runs_of_trace(const Robot& robot, const CuspTrace& trace, double lower, double upper) {
   const MapSlice slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, 0.5 * (lower + upper)}});
   const RoundingUpward rounding;
-  const HeldSlice held(*robot, slice);
+  const PlanarHeldSlice held(*robot, *slice.joint);
   CuspFamily family(held, held.postures().front());
   return runs_of(family, trace, {lower / pi, upper / pi});
 }
@@ -279,7 +279,7 @@ TEST(CuspFamily, HasTheGradientsOfItsFunctions) {
       const double held = range_about_pose(robot, 0.0, random).lower;
       const MapSlice slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, held}});
       const RoundingUpward rounding;
-      const HeldSlice held_slice(*robot, slice);
+      const PlanarHeldSlice held_slice(*robot, *slice.joint);
       CuspFamily family(held_slice, held_slice.postures().back());
       const MapPoint at{uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0), held / pi};
       const auto found = family.at(at);

@@ -18,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace parallel_aspects {
@@ -66,33 +67,47 @@ TEST(Cusps, AreListedWithinLimits) {
 /// A robot with one joint held where a random pose has it.
 struct Held {
   Robot robot;
-  MapSlice slice;
+  HeldJoint joint;
+
+  std::string text() const {
+    return robot->name() + ", " + std::to_string(joint.leg + 1) + " at " + std::to_string(joint.value);
+  }
 };
 
+std::unique_ptr<const HeldSlice> slice_of(const Held& held) {
+  const RoundingUpward rounding;
+  return make_held_slice(*held.robot, held.joint);
+}
+
+Held held_at_value(const Robot& robot, std::size_t leg, double value) {
+  return {robot, {leg, value, robot->leg(leg).actuated_by_angle()}};
+}
+
 std::optional<Held> held_at(const Robot& robot, std::size_t leg, std::mt19937_64& random) {
+  test::RandomRobots poses(static_cast<unsigned>(random()));
   for (int tries = 0; tries < 1000; ++tries) {
-    const Pose pose =
-        Pose::planar(uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0), uniform(random, -pi, pi));
+    const Pose pose = poses.pose(robot->task_space());
     const auto modes = working_modes(*robot);
     const InverseSolution found = inverse(*robot, pose, modes[random() % modes.size()]);
     if (!found) continue;
-    const double value = found.q[static_cast<Eigen::Index>(leg)];
-    return Held{robot, test::slice_of(robot, {{robot->leg(leg).actuated_joint, value}})};
+    const Held held = held_at_value(robot, leg, found.q[static_cast<Eigen::Index>(leg)]);
+    EXPECT_EQ(find_cusps_problem(*robot, held.joint), "");
+    return held;
   }
   return std::nullopt;
 }
 
 /// Robots of every kind of leg, and one with three kinds.
-std::vector<Held> random_robots(std::mt19937_64& random, int of_each_kind) {
+std::vector<Held> random_robots(TaskSpace space, std::mt19937_64& random, int of_each_kind) {
   test::RandomRobots robots(static_cast<unsigned>(random()));
   std::vector<Held> result;
   for (int i = 0; i < of_each_kind; ++i) {
     std::vector<Robot> next;
     for (const ActuationKind kind : {ActuationKind::strut, ActuationKind::revolute, ActuationKind::prismatic})
-      next.push_back(robots.robot(TaskSpace::SE2, kind));
+      next.push_back(robots.robot(space, kind));
     std::vector<Leg> legs{next[1]->leg(0), next[2]->leg(1),
-                          robots.robot(TaskSpace::SE2, ActuationKind::elbow)->leg(2)};
-    next.push_back(test::manipulator("mixed", TaskSpace::SE2, std::move(legs)));
+                          robots.robot(space, ActuationKind::elbow)->leg(2)};
+    next.push_back(test::manipulator("mixed", space, std::move(legs)));
     for (const Robot& robot : next)
       if (const auto held = held_at(robot, random() % 2, random)) result.push_back(*held);
   }
@@ -103,13 +118,13 @@ std::vector<Held> random_robots(std::mt19937_64& random, int of_each_kind) {
 class SliceByInverse {
  public:
   SliceByInverse(const Held& held, const HeldSlice& slice, const SlicePosture& posture)
-      : robot_(*held.robot), circle_(circle_of_anchor(robot_, *held.slice.joint)), posture_(posture) {
-    for (std::size_t i = 0; i < 2; ++i) legs_[i] = &robot_.leg(slice.leg(i));
+      : slice_(slice), posture_(posture) {
+    for (std::size_t i = 0; i < 2; ++i) legs_[i] = &held.robot->leg(slice.leg(i));
   }
 
   /// Not a number where a leg does not reach.
   Vector2d values(const Vector2d& x) const {
-    const Pose pose = circle_.pose(x[0], x[1]);
+    const Pose pose = slice_.pose({x[0] / pi, x[1] / pi});
     Vector2d q;
     for (std::size_t i = 0; i < 2; ++i) {
       const Eigen::Vector3d anchor = pose.transform(legs_[i]->anchor);
@@ -143,8 +158,7 @@ class SliceByInverse {
     return result;
   }
 
-  const Manipulator& robot_;
-  AnchorCircle circle_;
+  const HeldSlice& slice_;
   SlicePosture posture_;
   std::array<const Leg*, 2> legs_{};
 };
@@ -212,26 +226,29 @@ CuspBoxes cusp_boxes(const HeldSlice& slice) {
 
 Vector2d middle_of(const CuspBox& cusp) { return pi * Vector2d(cusp.box.center(0), cusp.box.center(1)); }
 
+class CuspsOfSlices : public testing::TestWithParam<TaskSpace> {};
+
+INSTANTIATE_TEST_SUITE_P(TaskSpaces, CuspsOfSlices, testing::Values(TaskSpace::SE2, TaskSpace::SO3));
+
 // Of random robots with legs of every kind, each cusp that Newton's method finds is one of those that are
 // proved.
-TEST(Cusps, AreAllThatNewtonsMethodFinds) {
+TEST_P(CuspsOfSlices, AreAllThatNewtonsMethodFinds) {
   std::mt19937_64 random(3);
   std::size_t complete = 0, matched = 0, listed = 0;
-  const std::vector<Held> all = random_robots(random, 4);
+  const std::vector<Held> all = random_robots(GetParam(), random, 4);
   for (const Held& held : all) {
-    const auto slice = made_under_upward_rounding<HeldSlice>(*held.robot, held.slice);
-    const CuspBoxes boxes = cusp_boxes(slice);
+    const auto slice = slice_of(held);
+    const CuspBoxes boxes = cusp_boxes(*slice);
     complete += boxes.undecided.empty() ? 1 : 0;
     listed += boxes.cusps.size();
-    for (const SlicePosture& posture : slice.postures()) {
-      const SliceByInverse by_inverse(held, slice, posture);
+    for (const SlicePosture& posture : slice->postures()) {
+      const SliceByInverse by_inverse(held, *slice, posture);
       for (const Vector2d& x : CuspsByNewton(by_inverse).find(random, 60)) {
         const auto near = [&](const CuspBox& cusp) {
           return cusp.posture == posture && distance(middle_of(cusp), x) < 1e-4;
         };
         const bool is_listed = std::any_of(boxes.cusps.begin(), boxes.cusps.end(), near);
-        EXPECT_TRUE(is_listed || !boxes.undecided.empty())
-            << held.robot->name() << ", " << to_string(held.slice) << ": " << x.transpose();
+        EXPECT_TRUE(is_listed || !boxes.undecided.empty()) << held.text() << ": " << x.transpose();
         if (is_listed) ++matched;
       }
     }
@@ -241,25 +258,25 @@ TEST(Cusps, AreAllThatNewtonsMethodFinds) {
 }
 
 // The joint values move over the slice by g_x / B_jj.
-TEST(HeldSlice, HasTheJointValuesOfTheInverseProblem) {
+TEST_P(CuspsOfSlices, HaveTheJointValuesOfTheInverseProblem) {
   std::mt19937_64 random(5);
   int compared = 0;
-  for (const Held& held : random_robots(random, 10)) {
-    const auto slice = made_under_upward_rounding<HeldSlice>(*held.robot, held.slice);
-    for (const SlicePosture& posture : slice.postures()) {
-      const SliceByInverse by_inverse(held, slice, posture);
+  for (const Held& held : random_robots(GetParam(), random, 10)) {
+    const auto slice = slice_of(held);
+    for (const SlicePosture& posture : slice->postures()) {
+      const SliceByInverse by_inverse(held, *slice, posture);
       const Vector2d x(uniform(random, -pi, pi), uniform(random, -pi, pi));
       const Matrix2d expected = by_inverse.jacobian(x);
       if (!expected.allFinite()) continue;
       const RoundingUpward rounding;
-      const SliceTurns at(std::array<double, 2>{x[0] / pi, x[1] / pi});
+      const SlicePlace at(std::array<double, 2>{x[0] / pi, x[1] / pi});
       for (std::size_t i = 0; i < 2; ++i) {
-        if (!held.robot->leg(slice.leg(i)).kind().moves_proximal_point) continue;
-        const auto leg = slice.leg_over(i, posture[i], at);
+        if (!held.robot->leg(slice->leg(i)).kind().moves_proximal_point) continue;
+        const auto leg = slice->leg_over(i, posture[i], at);
         ASSERT_TRUE(leg);
-        const Jet<1> g = slice.equation<1>(i, *leg, at);
+        const Jet<1> g = leg->equation.jet<1>(at.over());
         const auto row = static_cast<Eigen::Index>(i);
-        EXPECT_NEAR(slice.slope<1>(i, *leg, at).value().lower(), -leg->entry.lower(), 1e-9);
+        EXPECT_NEAR(leg->slope.jet<0>(at.over()).value().lower(), -leg->entry.lower(), 1e-9);
         EXPECT_NEAR(g.at(1, 0).lower() / leg->entry.lower(), expected(row, 0), 1e-5 * expected.norm());
         EXPECT_NEAR(g.at(0, 1).lower() / leg->entry.lower(), expected(row, 1), 1e-5 * expected.norm());
         ++compared;
@@ -269,46 +286,49 @@ TEST(HeldSlice, HasTheJointValuesOfTheInverseProblem) {
   EXPECT_GT(compared, 30);
 }
 
-/// The most direct solutions near a pose, for actuated values about those of a cusp.
-std::size_t most_solutions_beside(const Held& held, const Cusp& cusp, double radius) {
-  const Manipulator& robot = *held.robot;
-  const AnchorCircle circle = circle_of_anchor(robot, *held.slice.joint);
-  const auto point = [&](const Pose& pose) {
-    const Vector2d rod = circle.rod(pose);
-    return Vector2d(std::atan2(rod.y(), rod.x()),
-                    2.0 * std::atan2(pose.orientation.z(), pose.orientation.w()));
-  };
-  const std::size_t leg = held.slice.joint->leg;
+/// How far a platform is turned and moved from one pose to another [rad + m].
+double distance_between(const Pose& a, const Pose& b) {
+  return a.orientation.angularDistance(b.orientation) + (a.position - b.position).norm();
+}
+
+/// How many direct solutions there are near the pose of a cusp, at least and at most, for actuated values on
+/// a circle about its own.
+std::array<std::size_t, 2> solutions_beside(const Held& held, const Cusp& cusp, double radius) {
+  const std::size_t leg = held.joint.leg;
   const auto first = static_cast<Eigen::Index>(leg == 0 ? 1 : 0),
              second = static_cast<Eigen::Index>(leg == 2 ? 1 : 2);
-  std::size_t most = 0;
-  for (int i = 0; i < 1800 && most < 3; ++i) {
+  std::array<std::size_t, 2> range{1000, 0};
+  for (int i = 0; i < 1800 && !(range[0] <= 1 && range[1] >= 3); ++i) {
+    const double angle = 2.0 * pi * (i * 1117 % 1800) / 1800.0;  // all of them, not in turn
     JointVector q = cusp.actuated;
-    q[first] += radius * std::cos(pi * i / 900.0);
-    q[second] += radius * std::sin(pi * i / 900.0);
+    q[first] += radius * std::cos(angle);
+    q[second] += radius * std::sin(angle);
     std::size_t near = 0;
-    for (const AssemblyMode& mode : direct(robot, q).solutions)
-      if (distance(point(mode.pose), point(cusp.pose)) < 0.3) ++near;
-    most = std::max(most, near);
+    for (const AssemblyMode& mode : direct(*held.robot, q).solutions)
+      if (distance_between(mode.pose, cusp.pose) < 0.4) ++near;
+    range = {std::min(range[0], near), std::max(range[1], near)};
   }
-  return most;
+  return range;
+}
+
+void expect_three_solutions_beside(const Held& held, const Cusp& cusp) {
+  const auto near = solutions_beside(held, cusp, 1e-3), far = solutions_beside(held, cusp, 1e-2);
+  EXPECT_GE(std::max(near[1], far[1]), 3U) << held.text() << ": " << cusp.actuated.transpose();
+  EXPECT_LE(std::min(near[0], far[0]) + 2, std::max(near[1], far[1])) << held.text();
 }
 
 // By the direct solver; another solution may be near by.
-TEST(Cusps, HaveThreeSolutionsBesideThem) {
+TEST_P(CuspsOfSlices, HaveThreeSolutionsBesideThem) {
   std::mt19937_64 random(6);
-  std::vector<Held> all = random_robots(random, 1);
-  const Robot struts = test::three_rpr()->with_constraints({});
-  all.push_back({struts, test::slice_of(struts, {{struts->leg(0).actuated_joint, 14.98}})});
+  std::vector<Held> all = random_robots(GetParam(), random, 1);
+  if (GetParam() == TaskSpace::SE2)
+    all.push_back(held_at_value(test::three_rpr()->with_constraints({}), 0, 14.98));
   std::size_t looked_at = 0;
   for (const Held& held : all) {
-    const CuspList found = find_cusps(*held.robot, held.slice);
+    const CuspList found = find_cusps(*held.robot, held.joint);
     EXPECT_TRUE(found.complete);
     for (std::size_t i = 0; i < found.cusps.size(); i += 1 + found.cusps.size() / 3, ++looked_at)
-      EXPECT_GE(std::max(most_solutions_beside(held, found.cusps[i], 1e-3),
-                         most_solutions_beside(held, found.cusps[i], 1e-2)),
-                3U)
-          << held.robot->name() << ": " << found.cusps[i].actuated.transpose();
+      expect_three_solutions_beside(held, found.cusps[i]);
   }
   EXPECT_GT(looked_at, 5U);
 }
