@@ -21,8 +21,8 @@ struct Dual {
   Dual(const Value& constant) : value(constant) {}  // NOLINT: constants have no gradient
   Dual(double constant) : value(constant) {}        // NOLINT
 
-  template <class Constant, class = std::enable_if_t<std::is_same_v<Constant, Interval> &&
-                                                     !std::is_same_v<Value, Interval>>>
+  template <class Constant,
+            class = std::enable_if_t<std::is_same_v<Constant, Interval> && !std::is_same_v<Value, Interval>>>
   Dual(const Constant& constant) : value(constant) {}  // NOLINT
 
   /// The i-th pose coordinate itself.

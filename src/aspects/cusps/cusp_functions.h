@@ -52,8 +52,7 @@ struct CuspFunctions {
   std::array<Jet<Order>, 2> along_kernel;
 
   CuspFunctions(const CuspLegs& legs, const SliceTurns& at)
-      : g{legs[0].equation.jet<Order + 2>(at), legs[1].equation.jet<Order + 2>(at)},
-        d(bracket(g[0], g[1])) {
+      : g{legs[0].equation.jet<Order + 2>(at), legs[1].equation.jet<Order + 2>(at)}, d(bracket(g[0], g[1])) {
     for (std::size_t i = 0; i < 2; ++i) along_kernel[i] = bracket(d, g[i].template truncated<Order + 1>());
   }
 

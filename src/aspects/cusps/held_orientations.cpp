@@ -90,8 +90,8 @@ HeldOrientations::HeldOrientations(const Leg& leg, double q) {
 }
 
 // With E^T m = (m1, m2, m3) and F^T b = (b1, b2, b3), and U and V the first two coordinates of Rz(-a) E^T m,
-// X and Y those of Rz(phi) F^T b, it is  cos U X + V Y + sin (b3 U - m3 X) + cos m3 b3;  U X + V Y is a cosine
-// of a + phi, U X - V Y one of phi - a.
+// X and Y those of Rz(phi) F^T b, it is  cos U X + V Y + sin (b3 U - m3 X) + cos m3 b3;  U X + V Y is a
+// cosine of a + phi, U X - V Y one of phi - a.
 CosineSum HeldOrientations::along(const Spatial<Interval>& m, const Spatial<Interval>& b) const noexcept {
   const Interval m1 = dot(base_[0], m), m2 = dot(base_[1], m), m3 = dot(base_[2], m);
   const Interval b1 = dot(platform_[0], b), b2 = dot(platform_[1], b), b3 = dot(platform_[2], b);
@@ -123,10 +123,9 @@ Pose HeldOrientations::pose(const std::array<double, 2>& at) const {
     return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
   };
   const double gamma = std::atan2(middle_of(sine_), middle_of(cosine_));
-  const Eigen::Matrix3d rotation = columns(base_) * turn(pi * at[0], Eigen::Vector3d::UnitZ()) *
-                                   turn(gamma, Eigen::Vector3d::UnitY()) *
-                                   turn(pi * at[1], Eigen::Vector3d::UnitZ()) *
-                                   columns(platform_).transpose();
+  const Eigen::Matrix3d rotation =
+      columns(base_) * turn(pi * at[0], Eigen::Vector3d::UnitZ()) * turn(gamma, Eigen::Vector3d::UnitY()) *
+      turn(pi * at[1], Eigen::Vector3d::UnitZ()) * columns(platform_).transpose();
   Pose pose;
   pose.orientation = Eigen::Quaterniond(rotation).normalized();
   return pose;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/cusps/spherical_held_slice.h"
 
-#include "interval/dual.h"
 #include "legs/determinant.h"
 
 #include <variant>
@@ -23,26 +22,11 @@ Interval narrowed(const Number& over, const Interval& center, const SliceCenter&
                       center + over.gradient[0] * middle.offset(0) + over.gradient[1] * middle.offset(1));
 }
 
-/// A leg over a box, from the displacement of its anchor there and in the middle.
-struct Displacement {
-  Spatial<Number> over;
-  Spatial<Interval> range, center;
+Interval root_of(const Interval& squared_entry) noexcept {
+  return square_root(not_negative_part(squared_entry));
+}
 
-  Displacement(const std::array<CosineSum, 3>& sums, const SlicePlace& at) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Jet<1> jet = sums[k].jet<1>(at.over());
-      over[k] = Number(jet.value());
-      over[k].gradient = {jet.at(1, 0), jet.at(0, 1)};
-      center[k] = sums[k].jet<0>(at.center()).value();
-      over[k].value = range[k] = narrowed(over[k], center[k], at.middle());
-    }
-  }
-
-  /// p.m but for a constant.
-  Number along(const Spatial<Interval>& m) const {
-    return m[0] * over[0] + m[1] * over[1] + m[2] * over[2];
-  }
-};
+Spatial<Interval> opposite(const Spatial<Interval>& v) { return {-v[0], -v[1], -v[2]}; }
 
 }  // namespace
 
@@ -78,8 +62,43 @@ void SphericalHeldSlice::MovingLeg::set(const StrutActuation&) {}
 
 void SphericalHeldSlice::MovingLeg::set(const ElbowActuation&) {}
 
-/// c', of this c.
-Spatial<Interval> SphericalHeldSlice::MovingLeg::joint_slope(const Spatial<Interval>& c) const {
+SphericalHeldSlice::Reach SphericalHeldSlice::MovingLeg::reach(const SlicePlace& at) const noexcept {
+  Reach result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Jet<1> jet = displacement[k].jet<1>(at.over());
+    Number& over = result.displacement[k];
+    over = jet.value();
+    over.gradient = {jet.at(1, 0), jet.at(0, 1)};
+    result.center[k] = displacement[k].jet<0>(at.center()).value();
+    over.value = result.range[k] = narrowed(over, result.center[k], at.middle());
+  }
+  result.squared_center = leg.form(result.center).squared_entry;
+  result.squared_entry =
+      narrowed(leg.form(result.displacement).squared_entry, result.squared_center, at.middle());
+  return result;
+}
+
+std::optional<Spatial<Interval>> SphericalHeldSlice::MovingLeg::proximal_point(
+    const Reach& reach, int sign, const SliceCenter& middle) const noexcept {
+  const Interval root = root_of(reach.squared_entry);
+  const auto points = leg.link_points(reach.range, root, sign);
+  if (!points) return std::nullopt;
+  Spatial<Interval> c = points->joint;
+  if (!moves || !reach.squared_entry.positive()) return c;
+  const auto center = leg.link_points(reach.center, root_of(reach.squared_center), sign);
+  if (!center) return c;
+  const Spatial<Interval> slope = joint_slope(c);
+  const Number along = dot(c, reach.displacement);  // -g but for a constant
+  const Interval inverse = reciprocal(sign > 0 ? -root : root);
+  for (std::size_t k = 0; k < 3; ++k) {
+    Number component(c[k]);
+    for (std::size_t n = 0; n < 2; ++n) component.gradient[n] = slope[k] * (inverse * along.gradient[n]);
+    c[k] = narrowed(component, center->joint[k], middle);
+  }
+  return c;
+}
+
+Spatial<Interval> SphericalHeldSlice::MovingLeg::joint_slope(const Spatial<Interval>& c) const noexcept {
   const Spatial<Interval> turning = cross(crank_axis, difference(c, leg.base()));
   return {turning[0] + rail[0], turning[1] + rail[1], turning[2] + rail[2]};
 }
@@ -87,44 +106,25 @@ Spatial<Interval> SphericalHeldSlice::MovingLeg::joint_slope(const Spatial<Inter
 std::optional<HeldSlice::LegOver> SphericalHeldSlice::leg_over(std::size_t i, int sign,
                                                                const SlicePlace& at) const noexcept {
   const MovingLeg& moving = legs_[i];
-  const Displacement d(moving.displacement, at);
-  const Interval center_square = moving.leg.form(d.center).squared_entry;
-  const Interval squared_entry = narrowed(moving.leg.form(d.over).squared_entry, center_square, at.middle());
+  const Reach reach = moving.reach(at);
   LegOver result;
-  result.reaches = is_positive(squared_entry);
-  if (squared_entry.upper() < 0.0) return result;
-  const Interval root = square_root(not_negative_part(squared_entry));
-  const auto points = moving.leg.link_points(d.range, root, sign);
-  if (!points) return std::nullopt;
-  Spatial<Interval> c = points->joint;
-  if (moving.moves) {
-    result.entry = sign > 0 ? root : -root;
-    if (result.reaches == Verdict::holds) {
-      const auto center = moving.leg.link_points(d.center, square_root(center_square), sign);
-      if (center) {
-        const Number along = d.along(c);
-        const Spatial<Interval> slope = moving.joint_slope(c);
-        const Interval inverse = reciprocal(result.entry);
-        for (std::size_t k = 0; k < 3; ++k) {
-          Number component(c[k]);
-          for (std::size_t n = 0; n < 2; ++n)
-            component.gradient[n] = -(inverse * along.gradient[n] * slope[k]);
-          c[k] = narrowed(component, center->joint[k], at.middle());
-        }
-      }
-    }
-    const Spatial<Interval> slope = moving.joint_slope(c);
-    result.slope = orientations_.along({-slope[0], -slope[1], -slope[2]}, moving.anchor);
-    result.slope.constant += dot(c, slope);
-  }
-  result.equation = orientations_.along({-c[0], -c[1], -c[2]}, moving.anchor);
+  result.reaches = is_positive(reach.squared_entry);
+  if (reach.squared_entry.upper() < 0.0) return result;
+  const auto c = moving.proximal_point(reach, sign, at.middle());
+  if (!c) return std::nullopt;
+  result.equation = orientations_.along(opposite(*c), moving.anchor);
+  if (!moving.moves) return result;
+  const Spatial<Interval> slope = moving.joint_slope(*c);
+  result.slope = orientations_.along(opposite(slope), moving.anchor);
+  result.slope.constant += dot(*c, slope);
+  const Interval root = root_of(reach.squared_entry);
+  result.entry = sign > 0 ? root : -root;
   return result;
 }
 
 Verdict SphericalHeldSlice::leg_within_limits(std::size_t i, int sign, const SlicePlace& at) const noexcept {
-  const SpatialLeg& leg = legs_[i].leg;
-  const Spatial<Interval> d = Displacement(legs_[i].displacement, at).range;
-  return verdict(leg.limits(d, square_root(not_negative_part(leg.form(d).squared_entry)), sign));
+  const Reach reach = legs_[i].reach(at);
+  return verdict(legs_[i].leg.limits(reach.range, root_of(reach.squared_entry), sign));
 }
 
 Interval SphericalHeldSlice::held_entry(const SlicePlace& at) const noexcept {

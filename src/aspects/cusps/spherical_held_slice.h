@@ -4,6 +4,7 @@
 
 #include "aspects/cusps/held_orientations.h"
 #include "aspects/cusps/held_slice.h"
+#include "interval/dual.h"
 #include "legs/spatial_leg.h"
 
 namespace parallel_aspects {
@@ -13,6 +14,10 @@ namespace parallel_aspects {
 /// With p_i = R b_i the equation of leg i is g_i(x, q_i) = (|p_i - c_i(q_i)|^2 - rho_i^2) / 2 = 0, at a fixed
 /// joint value a constant less p_i.c_i, a sum of four cosines; so is its derivative by the joint value where
 /// c_i moves, (c_i - p_i).c_i'.
+///
+/// Over a box p_i, B_ii^2 and, away from serial singularities, c_i are enclosed by their values in the middle
+/// and by slopes: c_i moves by c_i' q_x with q_x = g_x / B_ii. Without that, three times as many boxes are
+/// looked at.
 class SphericalHeldSlice : public HeldSlice {
  public:
   SphericalHeldSlice(const Manipulator& manipulator, const HeldJoint& joint);
@@ -21,19 +26,34 @@ class SphericalHeldSlice : public HeldSlice {
   Pose pose(const std::array<double, 2>& at) const override { return orientations_.pose(at); }
 
  private:
+  /// A leg over a box, on whichever branch.
+  struct Reach {
+    Spatial<Dual<2, Interval>> displacement;  // of the anchor from the base point
+    Spatial<Interval> range, center;          // of the displacement, in the box and in its middle
+    Interval squared_entry, squared_center;   // B_jj^2 there
+  };
+
   struct MovingLeg {
     SpatialLeg leg;
-    Spatial<Interval> anchor;                    // in the platform
-    std::array<CosineSum, 3> displacement;       // of the anchor from the base point
-    Spatial<Interval> crank_axis{}, rail{};      // how c moves; zero where it does not
-    bool moves = false;                          // whether c moves
+    Spatial<Interval> anchor;                // in the platform
+    std::array<CosineSum, 3> displacement;   // of the anchor from the base point
+    Spatial<Interval> crank_axis{}, rail{};  // how c moves; zero where it does not
+    bool moves = false;                      // whether c moves
 
     MovingLeg(const Leg& moving, const HeldOrientations& orientations);
     void set(const RevoluteActuation& crank);
     void set(const PrismaticActuation& slide);
     void set(const StrutActuation& strut);
     void set(const ElbowActuation& elbow);
-    Spatial<Interval> joint_slope(const Spatial<Interval>& c) const;
+
+    Reach reach(const SlicePlace& at) const noexcept;
+
+    /// Nothing where the box is too large to tell.
+    std::optional<Spatial<Interval>> proximal_point(const Reach& reach, int sign,
+                                                    const SliceCenter& middle) const noexcept;
+
+    /// c', of this c.
+    Spatial<Interval> joint_slope(const Spatial<Interval>& c) const noexcept;
   };
 
   Verdict leg_within_limits(std::size_t i, int sign, const SlicePlace& at) const noexcept override;

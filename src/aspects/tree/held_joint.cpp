@@ -110,8 +110,9 @@ std::string find_held_value_problem(const Manipulator& manipulator, const HeldJo
   if (manipulator.task_space() == TaskSpace::SO3)
     return has_cone(leg, joint.value)
                ? ""
-               : start + "where its leg lets the platform turn about one axis at most; hold another joint or "
-                         "value.";
+               : start +
+                     "where its leg lets the platform turn about one axis at most; hold another joint or "
+                     "value.";
   if (!leg.can_have(joint.value) || !(circle_of_anchor(manipulator, joint).radius > held_joint_tolerance))
     return start + "where its leg has no length in the plane; give another value.";
   return "";

@@ -34,9 +34,7 @@ std::unique_ptr<const HeldSlice> held_slice_of(const Manipulator& manipulator, c
 class CuspsOfSlice {
  public:
   CuspsOfSlice(const Manipulator& manipulator, const HeldJoint& joint)
-      : manipulator_(manipulator),
-        held_(joint),
-        slice_(held_slice_of(manipulator, held_)) {}
+      : manipulator_(manipulator), held_(joint), slice_(held_slice_of(manipulator, held_)) {}
 
   CuspBoxes boxes(const MapControl& control) const {
     const RoundingUpward rounding;

@@ -4,12 +4,14 @@
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include "support/random_robots.h"
 #include "support/robots.h"
+#include "support/shipped.h"
 #include "support/slices.h"
 #include <algorithm>
 #include <array>
@@ -19,6 +21,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -226,6 +229,24 @@ CuspBoxes cusp_boxes(const HeldSlice& slice) {
 
 Vector2d middle_of(const CuspBox& cusp) { return pi * Vector2d(cusp.box.center(0), cusp.box.center(1)); }
 
+/// Of what Newton's method finds in all postures, with `starts` each: how many of them are among the cusps
+/// that are proved. Where these are complete, all must be.
+std::size_t count_listed(const Held& held, const HeldSlice& slice, const CuspBoxes& boxes, int starts,
+                         std::mt19937_64& random) {
+  std::size_t matched = 0;
+  for (const SlicePosture& posture : slice.postures()) {
+    const SliceByInverse by_inverse(held, slice, posture);
+    for (const Vector2d& x : CuspsByNewton(by_inverse).find(random, starts)) {
+      const bool is_listed = std::any_of(boxes.cusps.begin(), boxes.cusps.end(), [&](const CuspBox& cusp) {
+        return cusp.posture == posture && distance(middle_of(cusp), x) < 1e-4;
+      });
+      EXPECT_TRUE(is_listed || !boxes.undecided.empty()) << held.text() << ": " << x.transpose();
+      if (is_listed) ++matched;
+    }
+  }
+  return matched;
+}
+
 class CuspsOfSlices : public testing::TestWithParam<TaskSpace> {};
 
 INSTANTIATE_TEST_SUITE_P(TaskSpaces, CuspsOfSlices, testing::Values(TaskSpace::SE2, TaskSpace::SO3));
@@ -241,17 +262,7 @@ TEST_P(CuspsOfSlices, AreAllThatNewtonsMethodFinds) {
     const CuspBoxes boxes = cusp_boxes(*slice);
     complete += boxes.undecided.empty() ? 1 : 0;
     listed += boxes.cusps.size();
-    for (const SlicePosture& posture : slice->postures()) {
-      const SliceByInverse by_inverse(held, *slice, posture);
-      for (const Vector2d& x : CuspsByNewton(by_inverse).find(random, 60)) {
-        const auto near = [&](const CuspBox& cusp) {
-          return cusp.posture == posture && distance(middle_of(cusp), x) < 1e-4;
-        };
-        const bool is_listed = std::any_of(boxes.cusps.begin(), boxes.cusps.end(), near);
-        EXPECT_TRUE(is_listed || !boxes.undecided.empty()) << held.text() << ": " << x.transpose();
-        if (is_listed) ++matched;
-      }
-    }
+    matched += count_listed(held, *slice, boxes, 60, random);
   }
   EXPECT_EQ(complete, all.size());
   EXPECT_GT(2 * matched, listed);
@@ -331,6 +342,29 @@ TEST_P(CuspsOfSlices, HaveThreeSolutionsBesideThem) {
       expect_three_solutions_beside(held, found.cusps[i]);
   }
   EXPECT_GT(looked_at, 5U);
+}
+
+// Proved to be all, singular by det A, and with one or three solutions beside each.
+TEST(Cusps, OfTheSpherical3Rrr) {
+  std::mt19937_64 random(7);
+  const Robot robot = test::shipped("spherical_3rrr")->mapped_manipulator();
+  std::size_t matched = 0, listed = 0;
+  for (const auto& [leg, value] : {std::pair<std::size_t, double>{0, 0.3}, {1, 1.0}, {2, -2.0}}) {
+    const Held held = held_at_value(robot, leg, value);
+    const auto slice = slice_of(held);
+    const CuspBoxes boxes = cusp_boxes(*slice);
+    matched += count_listed(held, *slice, boxes, 100, random);
+    const CuspList found = find_cusps(*robot, held.joint);
+    EXPECT_TRUE(found.complete) << held.text();
+    EXPECT_EQ(found.cusps.size(), boxes.cusps.size());
+    listed += found.cusps.size();
+    for (const Cusp& cusp : found.cusps) {
+      EXPECT_LT(std::abs(parallel_index(*robot, cusp.pose, cusp.actuated)), 1e-8);
+      expect_three_solutions_beside(held, cusp);
+    }
+  }
+  EXPECT_GT(listed, 20U);
+  EXPECT_GT(2 * matched, listed);
 }
 
 }  // namespace
