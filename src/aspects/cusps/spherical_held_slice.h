@@ -16,8 +16,8 @@ namespace parallel_aspects {
 /// c_i moves, (c_i - p_i).c_i'.
 ///
 /// Over a box p_i, B_ii^2 and, away from serial singularities, c_i are enclosed by their values in the middle
-/// and by slopes: c_i moves by c_i' q_x with q_x = g_x / B_ii. Without that, three times as many boxes are
-/// looked at.
+/// and by slopes: c_i moves by c_i' q_x with q_x = g_x / B_ii. Without slopes of c_i the search takes 1.8
+/// times the processor time.
 class SphericalHeldSlice : public HeldSlice {
  public:
   SphericalHeldSlice(const Manipulator& manipulator, const HeldJoint& joint);

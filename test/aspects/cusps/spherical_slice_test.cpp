@@ -124,15 +124,16 @@ TEST(SphericalHeldSlice, HasTheDerivativesOfTheResidualsOfLegs) {
   }
 }
 
-bool contains(const Interval& outer, const Interval& inner) {
+/// The enclosures at a point are some units in the last place wide.
+bool meet(const Interval& outer, const Interval& inner) {
   return outer.lower() <= inner.upper() && inner.lower() <= outer.upper();
 }
 
 template <std::size_t Order>
-bool contains(const Jet<Order>& outer, const Jet<Order>& inner) {
+bool meet(const Jet<Order>& outer, const Jet<Order>& inner) {
   for (std::size_t n = 0; n <= Order; ++n)
     for (std::size_t k = 0; k <= n; ++k)
-      if (!contains(outer.at(n - k, k), inner.at(n - k, k))) return false;
+      if (!meet(outer.at(n - k, k), inner.at(n - k, k))) return false;
   return true;
 }
 
@@ -147,9 +148,9 @@ void expect_enclosed(const SphericalHeldSlice& slice, std::size_t i, int sign, c
     EXPECT_EQ(over->reaches, point->reaches);
   }
   if (point->reaches != Verdict::holds || over->reaches == Verdict::fails) return;
-  EXPECT_TRUE(contains(over->entry, point->entry));
-  EXPECT_TRUE(contains(over->equation.jet<2>(of_box.over()), point->equation.jet<2>(of_point.over())));
-  EXPECT_TRUE(contains(over->slope.jet<2>(of_box.over()), point->slope.jet<2>(of_point.over())));
+  EXPECT_TRUE(meet(over->entry, point->entry));
+  EXPECT_TRUE(meet(over->equation.jet<2>(of_box.over()), point->equation.jet<2>(of_point.over())));
+  EXPECT_TRUE(meet(over->slope.jet<2>(of_box.over()), point->slope.jet<2>(of_point.over())));
   ++compared;
 }
 

@@ -52,6 +52,21 @@ TEST_F(UniquenessCommand, RefusesRangesThatAreNone) {
   EXPECT_NE(slice.messages.find("leave --slice"), std::string::npos) << slice.messages;
 }
 
+TEST_F(UniquenessCommand, ListsCuspsInSO3) {
+  const Outcome outcome = run({"uniqueness", "spherical_3rrr", "--slice", "crank_1_joint=0.3", "--json"});
+  ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages;
+  const json found = json::parse(outcome.output);
+  EXPECT_EQ(found["task_space"], "SO3");
+  EXPECT_EQ(found["slice"]["held"]["crank_1_joint"], 0.3);
+  EXPECT_EQ(found["cusps"].size(), 6U);
+  EXPECT_EQ(found["cusps_complete"], true);
+  EXPECT_EQ(found["undecided_curves"], false);
+  for (const json& cusp : found["cusps"]) EXPECT_EQ(cusp["actuated"][0], 0.3);
+  const Outcome eye = run({"uniqueness", "agile_eye", "--slice", "crank_1_joint=0.3"});
+  EXPECT_NE(eye.output.find("there may be more"), std::string::npos) << eye.output;
+  EXPECT_NE(eye.output.find("Not decided are curves"), std::string::npos) << eye.output;
+}
+
 TEST_F(UniquenessCommand, LooksAtARoadmapOfAHexapod) {
   const Outcome outcome =
       run({"uniqueness", "stewart", "--samples", "200", "--seed", "3", "--poses", "40", "--json"});
@@ -84,6 +99,11 @@ TEST_F(UniquenessCommand, RefusesWhatIsOfOtherTaskSpaces) {
        {std::vector<const char*>{"uniqueness", "stewart", "--slice", "strut_1_joint=1"},
         {"uniqueness", "stewart", "--poses", "some"},
         {"uniqueness", "stewart", "--tolerance", "0.001"},
+        {"uniqueness", "spherical_3rrr", "--slice", "roll=0.1"},
+        {"uniqueness", "spherical_3rrr", "--slice", "crank_1_joint"},
+        {"uniqueness", "spherical_3rrr", "--slice", "crank_1_joint=0.1,crank_2_joint=0"},
+        {"uniqueness", "spherical_3rrr", "--slice", "crank_1_joint=0.1", "--poses", "10"},
+        {"uniqueness", "spherical_3rrr", "--slice", "crank_1_joint=0.1", "--picture", "picture.svg"},
         {"uniqueness", "five_bar", "--poses", "10"},
         {"uniqueness", "three_rpr", "--samples", "10", "--slice", "strut_1_joint=14.98"}}) {
     const Outcome outcome = run(arguments);
