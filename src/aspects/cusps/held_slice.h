@@ -57,9 +57,10 @@ class HeldSlice {
   /// A leg over a box of the slice, in one posture.
   struct LegOver {
     Verdict reaches = Verdict::unknown;
-    CosineSum equation;           ///< g_i at fixed joint values, but for a constant
-    CosineSum slope, held_slope;  ///< its derivatives by the joint value and by the value that is held
-    Interval entry = 1.0;         ///< B_jj where the joint moves c; 1 where it does not
+    CosineSum equation;  ///< g_i at fixed joint values, but for a constant
+    CosineSum slope,
+        held_slope;        ///< its derivatives by the joint value and, of a range, by the value that is held
+    Interval entry = 1.0;  ///< B_jj where the joint moves c; 1 where it does not
   };
 
   /// Nothing where the box is too large to tell.

@@ -26,6 +26,7 @@ PlanarHeldSlice::PlanarHeldSlice(const Manipulator& manipulator, const HeldJoint
 void PlanarHeldSlice::hold(const Interval& value) noexcept {
   held_ = HeldLeg(held_leg_, value, 0.0);
   length_ = held_.rod(Turn<Interval>{1.0, 0.0}).x;
+  in_range_ = true;
 }
 
 PlanarHeldSlice::MovingLeg::MovingLeg(const Leg& moving, const Leg& held)
@@ -71,7 +72,7 @@ std::optional<HeldSlice::LegOver> PlanarHeldSlice::leg_over(std::size_t i, int s
   const auto& c = points->joint;
   const Planar<Interval> o{held_.center().x - c[0], held_.center().y - c[1]};
   result.equation = CosineSum::half_square(length_, moving.between_anchors, o, 0.0);
-  result.held_slope = held_slope(moving, o);
+  if (in_range_) result.held_slope = held_slope(moving, o);
   if (!moving.moves) return result;
   const Interval sense(moving.crank_sense);
   const Interval arm_x = c[0] - points->base[0], arm_y = c[1] - points->base[1];

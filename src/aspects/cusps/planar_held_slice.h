@@ -20,7 +20,7 @@ class PlanarHeldSlice : public HeldSlice {
   PlanarHeldSlice(const Manipulator& manipulator, const HeldJoint& joint);
 
   /// Holds the joint in a range instead: everything is then enclosed for each value of it [m or rad]. Of a
-  /// crank the range is at most a full turn.
+  /// crank the range is at most a full turn. From then on `LegOver` has its `held_slope`.
   void hold(const Interval& value) noexcept;
 
   std::optional<LegOver> leg_over(std::size_t i, int sign, const SlicePlace& at) const noexcept override;
@@ -51,7 +51,8 @@ class PlanarHeldSlice : public HeldSlice {
   AnchorCircle circle_;
   HeldLeg held_;
   bool held_is_strut_;
-  Interval length_;  // of the held rod
+  bool in_range_ = false;  // whether derivatives by the value that is held are of use
+  Interval length_;        // of the held rod
   std::array<MovingLeg, 2> legs_;
 };
 
