@@ -51,7 +51,8 @@ bool has_cone(const Leg& leg, double value) {
   const double product = c.norm() * leg.anchor.norm();
   const double cosine =
       0.5 * (c.squaredNorm() + leg.anchor.squaredNorm() - leg.squared_distance(value)) / product;
-  return leg.can_have(value) && product > 0.0 && 1.0 - cosine * cosine > least_sine * least_sine;
+  return leg.can_have(value) && product > held_joint_tolerance * held_joint_tolerance &&
+         1.0 - cosine * cosine > least_sine * least_sine;
 }
 
 }  // namespace
