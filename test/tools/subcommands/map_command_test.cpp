@@ -62,7 +62,6 @@ TEST_F(MapCommand, CountsClaimNoMoreThanIsProved) {
   EXPECT_NE(apart.find("; smaller aspects may hide there, which --complete looks for\n"), std::string::npos);
 }
 
-// An aspect that the region cuts counts as several.
 TEST_F(MapCommand, CountsSayWhereTheyAreOfLessThanTheRobot) {
   const auto headline = [this](const std::vector<const char*>& arguments) {
     const std::string text = run(arguments).output;
@@ -70,13 +69,11 @@ TEST_F(MapCommand, CountsSayWhereTheyAreOfLessThanTheRobot) {
   };
   EXPECT_EQ(headline({"map", "five_bar", "--region", "x=4:5 y=-13:13"}),
             "five_bar: exactly 12 aspects in the region (proved); 4 working modes");
-  EXPECT_EQ(headline({"map", "five_bar", "--region", "x=-20:20 y=-20:20"}),
-            "five_bar: exactly 10 aspects (proved); 4 working modes");
   EXPECT_EQ(headline({"map", "five_bar", "--mode", "(+,+)"}),
             "five_bar: exactly 2 aspects (proved); 1 of 4 working modes");
-  EXPECT_EQ(run_json({"map", "five_bar", "--region", "x=4:5 y=-13:13"}).at("cut_by_region"), true);
+  EXPECT_TRUE(run_json({"map", "five_bar", "--region", "x=4:5 y=-13:13"}).at("cut_by_region"));
   for (const char* robot : {"five_bar", "bipod", "three_rpr", "agile_eye"})
-    EXPECT_EQ(run_json({"map", robot, "--resolution", "1"}).at("cut_by_region"), false) << robot;
+    EXPECT_FALSE(run_json({"map", robot, "--resolution", "1"}).at("cut_by_region")) << robot;
 }
 
 TEST_F(MapCommand, SmallAspectsAreOneLineUnlessAskedFor) {
