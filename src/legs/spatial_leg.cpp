@@ -5,12 +5,6 @@
 #include "legs/toleranced.h"
 
 namespace parallel_aspects {
-namespace {
-
-Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
-
-}  // namespace
-
 SpatialLeg::SpatialLeg(const Leg& leg)
     : type_(leg.kind().type), reach_(toleranced_reach(leg)), base_(toleranced_base(leg)) {
   assert_rounding_upward();

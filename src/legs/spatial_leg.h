@@ -21,6 +21,10 @@ namespace parallel_aspects {
 template <class Scalar>
 using Spatial = std::array<Scalar, 3>;
 
+inline Spatial<Interval> enclosed(const Eigen::Vector3d& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
 template <class Scalar>
 Scalar squared_norm(const Spatial<Scalar>& d) {
   return square(d[0]) + square(d[1]) + square(d[2]);

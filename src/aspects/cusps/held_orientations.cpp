@@ -15,8 +15,6 @@
 namespace parallel_aspects {
 namespace {
 
-Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
-
 Spatial<Interval> scaled(const Interval& factor, const Spatial<Interval>& v) {
   return {factor * v[0], factor * v[1], factor * v[2]};
 }

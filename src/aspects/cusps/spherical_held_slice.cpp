@@ -10,8 +10,6 @@ namespace {
 
 using Number = Dual<2, Interval>;
 
-Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
-
 Spatial<Interval> difference(const Spatial<Interval>& a, const Spatial<Interval>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
