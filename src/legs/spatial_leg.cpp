@@ -5,6 +5,7 @@
 #include "legs/toleranced.h"
 
 namespace parallel_aspects {
+
 SpatialLeg::SpatialLeg(const Leg& leg)
     : type_(leg.kind().type), reach_(toleranced_reach(leg)), base_(toleranced_base(leg)) {
   assert_rounding_upward();

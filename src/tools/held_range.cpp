@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/held_range.h"
 
+#include "parallel_aspects/aspects/held_joint.h"
 #include "tools/arguments.h"
 #include "tools/numbers.h"
 
@@ -10,14 +11,12 @@ namespace parallel_aspects::tools {
 
 namespace {
 
-/// The leg whose actuated joint has this name.
+/// The leg whose actuated joint has this name; else a problem.
 std::optional<std::size_t> leg_of(const std::string& option, const Manipulator& robot,
                                   const std::string& joint, Problems& problems) {
+  if (const auto leg = leg_of_joint(robot, joint)) return leg;
   std::string joints;
-  for (std::size_t j = 0; j < robot.leg_count(); ++j) {
-    if (robot.leg(j).actuated_joint == joint) return j;
-    joints += (joints.empty() ? "" : ", ") + robot.leg(j).actuated_joint;
-  }
+  for (const Leg& leg : robot.legs()) joints += (joints.empty() ? "" : ", ") + leg.actuated_joint;
   problems.push_back(option + " names '" + joint + "'; give one of the actuated joints: " + joints + ".");
   return std::nullopt;
 }

@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 namespace parallel_aspects {
@@ -34,6 +36,9 @@ struct AnchorCircle {
   /// The pose of the circle with the rod in the same direction and the platform at the same angle.
   Pose nearest(const Pose& pose) const noexcept;
 };
+
+/// The leg whose actuated joint has this name.
+std::optional<std::size_t> leg_of_joint(const Manipulator& manipulator, const std::string& joint);
 
 /// Of the leg whose joint is held.
 AnchorCircle circle_of_anchor(const Manipulator& manipulator, const HeldJoint& joint) noexcept;

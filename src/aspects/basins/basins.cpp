@@ -22,6 +22,9 @@ namespace {
 // raise the largest index of an aspect.
 constexpr double fine_enough = 0.05;  // as a share of the upper one
 
+/// In what is listed by aspect.
+std::size_t place_of(int id) { return static_cast<std::size_t>(id - 1); }
+
 /// Basins of one working mode and one sign of det A.
 class SignBasins {
  public:
@@ -41,10 +44,10 @@ class SignBasins {
     if (detail == BasinDetail::depths && pairs_.empty() && region_bounds(peaks, basins)) return {};
     IndexCells cells(contents_, what_);
     if (detail == BasinDetail::basins) divide_coarse(cells);
-    DeepestIndex deepest(cells, peaks, what_.index, control_);
+    DeepestIndex deepest(cells, peaks, control_);
     deepest.search();
     if (is_cancelled(control_)) return {};
-    for (const auto& [id, range] : deepest.ranges()) deepest_of(id, basins) = range;
+    for (const auto& [id, range] : deepest.ranges()) basins.deepest[place_of(id)] = range;
     bound_pairs(cells, basins);
     if (detail == BasinDetail::depths) return {};
     cells.bound_all();
@@ -52,17 +55,13 @@ class SignBasins {
   }
 
  private:
-  static IndexRange& deepest_of(int id, MapBasins& basins) {
-    return basins.deepest[static_cast<std::size_t>(id - 1)];
-  }
-
   /// Whether the largest index in the region of the map, which takes next to no time, bounds those of the
   /// aspects precisely enough; as where they come close to the largest that there is.
   bool region_bounds(const std::map<int, IndexPeak>& peaks, MapBasins& basins) const {
     const double largest = largest_in_region(contents_, what_);
     for (const auto& [id, peak] : peaks) {
       if (!is_precise(largest, peak.index, contents_.tree.dimension(), what_.index)) return false;
-      deepest_of(id, basins) = {peak.index, largest};
+      basins.deepest[place_of(id)] = {peak.index, largest};
     }
     return true;
   }
@@ -92,8 +91,9 @@ class SignBasins {
     for (const std::size_t i : pairs_) pairs.push_back(map_.unresolved()[i]);
     const std::vector<double> levels = AspectLinks(cells, pairs, control_).levels();
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      basins.bottlenecks[pairs_[i]] = {0.0, std::min({levels[i], deepest_of(pairs[i].first, basins).upper,
-                                                      deepest_of(pairs[i].second, basins).upper})};
+      basins.bottlenecks[pairs_[i]] = {0.0,
+                                       std::min({levels[i], basins.deepest[place_of(pairs[i].first)].upper,
+                                                 basins.deepest[place_of(pairs[i].second)].upper})};
   }
 
   std::vector<Basin> basins_of(const IndexCells& cells, const std::vector<PeakMerge>& merges,
@@ -107,7 +107,7 @@ class SignBasins {
     for (const NodeIndex peak : roots_and_peaks(cells, merges)) {
       place.emplace(peak, basins.size());
       basins.push_back(basin_at(cells, peak));
-      basins.back().depth.upper = depths.deepest[static_cast<std::size_t>(basins.back().aspect - 1)].upper;
+      basins.back().depth.upper = depths.deepest[place_of(basins.back().aspect)].upper;
     }
     for (std::size_t i = 0; i < merges.size(); ++i) {
       Basin& basin = basins[place.at(merges[i].peak)];
@@ -176,8 +176,7 @@ std::vector<ModeImage> all_by_themselves(std::size_t modes) {
 
 /// An index is the same at the image of a pose.
 void copy_to_image(const AspectMap& map, const ModeImage& image, MapBasins& basins) {
-  for (const auto& [from, to] : image.aspects)
-    basins.deepest[static_cast<std::size_t>(to - 1)] = basins.deepest[static_cast<std::size_t>(from - 1)];
+  for (const auto& [from, to] : image.aspects) basins.deepest[place_of(to)] = basins.deepest[place_of(from)];
   const auto& pairs = map.unresolved();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto a = image.aspects.find(pairs[i].first), b = image.aspects.find(pairs[i].second);

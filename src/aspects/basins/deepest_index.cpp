@@ -47,11 +47,11 @@ bool is_precise(double upper, double lower, std::size_t dimension, ParallelIndex
   return upper <= precise_enough(lower, wanted.inside, absolute(wanted, index));
 }
 
-DeepestIndex::DeepestIndex(IndexCells& cells, const std::map<int, IndexPeak>& peaks, ParallelIndex index,
+DeepestIndex::DeepestIndex(IndexCells& cells, const std::map<int, IndexPeak>& peaks,
                            const MapControl& control)
     : cells_(cells),
       owners_(cells),
-      absolute_(absolute(precision(cells), index)),
+      absolute_(absolute(precision(cells), cells.index())),
       control_(control),
       peaks_(peaks),
       most_evaluations_(precision(cells).always +

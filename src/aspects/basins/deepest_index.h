@@ -24,9 +24,8 @@ bool is_precise(double upper, double lower, std::size_t dimension, ParallelIndex
 /// precisely enough, or has taken too much work, bounds it.
 class DeepestIndex {
  public:
-  /// The peaks are those of the mode, sign and index.
-  DeepestIndex(IndexCells& cells, const std::map<int, IndexPeak>& peaks, ParallelIndex index,
-               const MapControl& control);
+  /// The peaks are those of the mode, sign and index of the cells.
+  DeepestIndex(IndexCells& cells, const std::map<int, IndexPeak>& peaks, const MapControl& control);
 
   void search();
 

@@ -27,6 +27,7 @@ class IndexCells {
   IndexCells(const AspectMap::Contents& map, const IndexOfMode& what);
 
   const PoseTree& tree() const noexcept { return tree_; }
+  ParallelIndex index() const noexcept { return what_.index; }
 
   bool is_cell(NodeIndex node) const noexcept { return tree_.state(node, 0).may_be(what_.sign); }
   /// Whether all its poses are proved to belong to S(mode, sign).

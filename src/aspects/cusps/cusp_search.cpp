@@ -85,7 +85,7 @@ class CuspTest {
 
  private:
   std::optional<AtCenter> at_center() const {
-    const SlicePlace at(place_.middle().at);
+    const SlicePlace at = place_.at_center();
     const auto legs = legs_over(slice_, posture_, at);
     if (!legs || !are_regular(*legs)) return std::nullopt;
     return AtCenter(*legs, at.over());

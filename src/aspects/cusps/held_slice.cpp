@@ -16,8 +16,8 @@ std::vector<int> signs_of(const Leg& leg) {
 
 }  // namespace
 
-SlicePlace::SlicePlace(const std::array<double, 2>& at) noexcept
-    : over_(at), middle_(Box{2, {at[0], at[1], 0.0}, {at[0], at[1], 0.0}}) {}
+SlicePlace::SlicePlace(const std::array<double, 2>& at, const SliceTurns& turns) noexcept
+    : over_(turns), middle_(Box{2, {at[0], at[1], 0.0}, {at[0], at[1], 0.0}}), center_(turns) {}
 
 const SliceTurns& SlicePlace::center() const noexcept {
   if (!center_) center_.emplace(middle_.at);

@@ -26,15 +26,18 @@ class SlicePlace {
   SlicePlace(const Box& box, SliceSums sums) noexcept : over_(ranges_of(box), sums), middle_(box) {}
 
   /// Of one point [half turns].
-  explicit SlicePlace(const std::array<double, 2>& at) noexcept;
+  explicit SlicePlace(const std::array<double, 2>& at) noexcept : SlicePlace(at, SliceTurns(at)) {}
 
   const SliceTurns& over() const noexcept { return over_; }
 
   /// The point in the middle, and how far others are from it.
   const SliceTurns& center() const noexcept;
+  SlicePlace at_center() const noexcept { return {middle_.at, center()}; }
   const SliceCenter& middle() const noexcept { return middle_; }
 
  private:
+  SlicePlace(const std::array<double, 2>& at, const SliceTurns& turns) noexcept;
+
   SliceTurns over_;
   SliceCenter middle_;
   mutable std::optional<SliceTurns> center_;  // computed where it is asked for

@@ -13,13 +13,6 @@
 namespace parallel_aspects {
 namespace {
 
-/// The leg whose actuated joint has this name.
-std::optional<std::size_t> leg_of(const Manipulator& manipulator, const std::string& joint) {
-  for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
-    if (manipulator.leg(j).actuated_joint == joint) return j;
-  return std::nullopt;
-}
-
 bool is_coordinate(TaskSpace space, const std::string& name) {
   const std::vector<std::string> names = coordinate_names(space);
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -56,6 +49,12 @@ bool has_cone(const Leg& leg, double value) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> leg_of_joint(const Manipulator& manipulator, const std::string& joint) {
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
+    if (manipulator.leg(j).actuated_joint == joint) return j;
+  return std::nullopt;
+}
 
 Eigen::Vector2d AnchorCircle::rod(const Pose& pose) const noexcept {
   return pose.transform({anchor.x(), anchor.y(), 0.0}).head<2>() - center;
@@ -123,10 +122,10 @@ MapSlice make_slice(const Manipulator& manipulator, const std::vector<HeldCoordi
                     Problems& problems) {
   const TaskSpace space = manipulator.task_space();
   const std::vector<HeldCoordinate> others = others_of(manipulator, held);
-  if (others.empty() || (space != TaskSpace::SE2 && !leg_of(manipulator, others.front().name)))
+  if (others.empty() || (space != TaskSpace::SE2 && !leg_of_joint(manipulator, others.front().name)))
     return make_slice(space, held, problems);
   const HeldCoordinate& first = others.front();
-  const std::optional<std::size_t> leg = leg_of(manipulator, first.name);
+  const std::optional<std::size_t> leg = leg_of_joint(manipulator, first.name);
   MapSlice slice;
   if (!leg)
     problems.push_back("'" + manipulator.name() + "' has no pose coordinate or actuated joint '" +

@@ -183,11 +183,9 @@ std::string symmetry_text(const AspectMap& map) {
 
 /// How many there are aspects of, and where not all were looked at, how many the robot has.
 std::string mode_count(const AspectMap& map) {
-  const MissingModes missing = missing_modes(map);
-  const std::size_t looked_at = map.working_modes().size() + missing.empty.size() + missing.unknown.size();
-  const std::size_t all = working_modes(*map.manipulator()).size();
-  return (looked_at < all ? std::to_string(map.working_modes().size()) + " of " + counted(all, "working mode")
-                          : counted(map.working_modes().size(), "working mode"));
+  const std::size_t found = map.working_modes().size(), all = working_modes(*map.manipulator()).size();
+  return map.contents().modes.size() < all ? std::to_string(found) + " of " + counted(all, "working mode")
+                                           : counted(found, "working mode");
 }
 
 std::string hiding_text(const AspectMap& map) {

@@ -29,12 +29,27 @@ struct UniquenessArguments {
   ConstraintArguments constraints;
 };
 
+/// Options by name, with what was given.
+using GivenOptions = std::vector<std::pair<std::string, std::string>>;
+
+/// A problem for each that was given: its name between the two texts.
+void refuse(const GivenOptions& options, const std::string& before, const std::string& after,
+            Problems& problems) {
+  for (const auto& [option, text] : options)
+    if (!text.empty()) problems.push_back(before + option + after);
+}
+
+/// Of the roadmap alone.
+GivenOptions roadmap_options_of(const UniquenessArguments& arguments) {
+  return {{"--samples", arguments.roadmap.samples},
+          {"--seed", arguments.roadmap.seed},
+          {"--poses", arguments.poses}};
+}
+
 Report report_of_curves(const UniquenessArguments& arguments, const Manipulator& robot, Problems problems,
                         const Surroundings& surroundings) {
-  for (const auto& [option, text] : {std::pair<std::string, const std::string&>{"--slice", arguments.slice},
-                                     {"--resolution", arguments.resolution}})
-    if (!text.empty())
-      problems.push_back("--cusps-over lists curves of cusps alone; leave " + option + " or it out.");
+  refuse({{"--slice", arguments.slice}, {"--resolution", arguments.resolution}},
+         "--cusps-over lists curves of cusps alone; leave ", " or it out.", problems);
   const HeldRange range = parse_held_range("--cusps-over", robot, arguments.cusps_over, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const ShownComputation shown(surroundings);
@@ -52,15 +67,12 @@ bool is_surveyed(const Manipulator& robot) {
 /// In SO3 with a joint held.
 Report report_of_cusps(const UniquenessArguments& arguments, const Manipulator& robot, Problems problems,
                        const Surroundings& surroundings) {
-  for (const auto& [option, text] :
-       {std::pair<std::string, const std::string&>{"--cusps-over", arguments.cusps_over},
-        {"--resolution", arguments.resolution},
-        {"--picture", arguments.picture},
-        {"--samples", arguments.roadmap.samples},
-        {"--seed", arguments.roadmap.seed},
-        {"--poses", arguments.poses}})
-    if (!text.empty())
-      problems.push_back("In SO3 --slice lists cusps alone; leave " + option + " or it out.");
+  const std::string before = "In SO3 --slice lists cusps alone; leave ", after = " or it out.";
+  refuse({{"--cusps-over", arguments.cusps_over},
+          {"--resolution", arguments.resolution},
+          {"--picture", arguments.picture}},
+         before, after, problems);
+  refuse(roadmap_options_of(arguments), before, after, problems);
   const HeldJoint held = parse_held_joint("--slice", robot, arguments.slice, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const ShownComputation shown(surroundings);
@@ -71,13 +83,12 @@ Report report_of_cusps(const UniquenessArguments& arguments, const Manipulator& 
 
 Report report_of_survey(const UniquenessArguments& arguments, const std::shared_ptr<const Manipulator>& robot,
                         Problems problems, const Surroundings& surroundings) {
-  for (const auto& [option, text] : {std::pair<std::string, const std::string&>{"--slice", arguments.slice},
-                                     {"--cusps-over", arguments.cusps_over},
-                                     {"--resolution", arguments.resolution},
-                                     {"--picture", arguments.picture}})
-    if (!text.empty())
-      problems.push_back("In " + std::string(name(robot->task_space())) +
-                         " a roadmap is looked at, which has no " + option + "; leave it out.");
+  refuse({{"--slice", arguments.slice},
+          {"--cusps-over", arguments.cusps_over},
+          {"--resolution", arguments.resolution},
+          {"--picture", arguments.picture}},
+         "In " + std::string(name(robot->task_space())) + " a roadmap is looked at, which has no ",
+         "; leave it out.", problems);
   const RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
   const unsigned poses =
       arguments.poses.empty() ? default_poses : parse_count("--poses", arguments.poses, most_poses, problems);
@@ -104,13 +115,10 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
     return report_of_cusps(arguments, *manipulator, std::move(problems), surroundings);
   if (is_surveyed(*manipulator))
     return report_of_survey(arguments, manipulator, std::move(problems), surroundings);
-  for (const auto& [option, text] :
-       {std::pair<std::string, const std::string&>{"--samples", arguments.roadmap.samples},
-        {"--seed", arguments.roadmap.seed},
-        {"--poses", arguments.poses}})
-    if (!text.empty())
-      problems.push_back(option + " is of the roadmap of SO3 or SE3, and '" + manipulator->name() +
-                         "' moves in " + std::string(name(manipulator->task_space())) + "; leave it out.");
+  refuse(roadmap_options_of(arguments), "",
+         " is of the roadmap of SO3 or SE3, and '" + manipulator->name() + "' moves in " +
+             std::string(name(manipulator->task_space())) + "; leave it out.",
+         problems);
   if (!arguments.cusps_over.empty())
     return report_of_curves(arguments, *manipulator, std::move(problems), surroundings);
   UniquenessOptions options;

@@ -108,7 +108,7 @@ TEST_P(DeepestIndexTest, WitnessesHaveTheIndexTheyStandFor) {
   for (const int sign : {1, -1}) {
     const IndexOfMode what{0, sign, ParallelIndex::normalised};
     IndexCells cells(contents, what);
-    DeepestIndex deepest(cells, find_index_peaks(contents, what, {}), what.index, {});
+    DeepestIndex deepest(cells, find_index_peaks(contents, what, {}), {});
     deepest.search();
     for (const auto& [id, range] : deepest.ranges()) {
       const IndexPeak& peak = deepest.peaks().at(id);
