@@ -11,6 +11,8 @@ namespace {
 
 bool is_named(const std::string& argument) { return argument.size() > 1 && argument.front() == '-'; }
 
+constexpr const char* given_twice = ": it is given twice; give it once";
+
 class Parser {
  public:
   Parser(const Subcommand& subcommand, const std::vector<std::string>& arguments)
@@ -39,6 +41,7 @@ class Parser {
     for (const Flag& flag : subcommand_.flags) {
       if (flag.name != name) continue;
       if (equals != std::string::npos) throw UsageError(name + ": it takes no value; leave it out");
+      if (*flag.value) throw UsageError(name + given_twice);
       *flag.value = true;
       return;
     }
@@ -66,7 +69,7 @@ class Parser {
 
   void set(std::size_t option, const std::string& value) {
     const std::string& name = subcommand_.options[option].name;
-    if (given_[option]) throw UsageError(name + ": it is given twice; give it once");
+    if (given_[option]) throw UsageError(name + given_twice);
     // A variable of a script that is not set is no value.
     if (value.empty()) throw UsageError(name + ": it is empty; give a value, or leave the option out");
     *subcommand_.options[option].value = value;

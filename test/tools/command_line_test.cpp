@@ -75,6 +75,8 @@ TEST_F(CommandLine, EveryMisunderstandingHasItsSentence) {
   EXPECT_EQ(problem_of({"--psoe", "1"}), "--psoe: there is no such option; did you mean --pose?");
   EXPECT_EQ(problem_of({"--jsno"}), "--jsno: there is no such option; did you mean --json?");
   EXPECT_EQ(problem_of({"--pose", "1", "--json=no"}), "--json: it takes no value; leave it out");
+  json_ = false;
+  EXPECT_EQ(problem_of({"--json", "--pose", "1", "--json"}), "--json: it is given twice; give it once");
   EXPECT_EQ(problem_of({"five_bar", "--pose", "1", "2"}),
             "'2': there is no place for it; values of several words are quoted");
 }

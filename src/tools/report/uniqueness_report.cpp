@@ -6,6 +6,9 @@
 #include "tools/report/slice_report.h"
 #include "tools/report/text_table.h"
 
+#include <cstddef>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,14 +65,21 @@ json json_basic_component(const Manipulator& robot, const BasicComponent& compon
           {"unit", unit}};
 }
 
-json json_basic_region(const Manipulator& robot, const BasicRegion& region, const std::string& unit) {
+/// Index of the basic component that a basic region lies over; nothing where that is not proved.
+std::optional<std::size_t> component_below(const Uniqueness& uniqueness, const BasicRegion& region) {
+  return uniqueness.component_of ? uniqueness.component_of(region.actuated) : std::nullopt;
+}
+
+json json_basic_region(const Uniqueness& uniqueness, const BasicRegion& region) {
+  const auto below = component_below(uniqueness, region);
   return {{"component", region.aspect},
-          {"pose", json_pose(robot.task_space(), region.pose)},
+          {"pose", json_pose(uniqueness.map->manipulator()->task_space(), region.pose)},
           {"over", region.over},
+          {"basic_component", below ? json(*below) : json()},
           {"actuated", json_numbers(region.actuated)},
           {"unique", region.is_unique},
           {"measure_lower", region.measure_lower},
-          {"unit", unit}};
+          {"unit", uniqueness.region_unit}};
 }
 
 json json_domain(const UniquenessDomain& domain, const std::string& unit) {
@@ -169,9 +179,72 @@ std::string regions_text(const Uniqueness& uniqueness) {
          shown_bound(uniqueness.measure_unknown, Side::above) + " " + unit + "\n" + table.text();
 }
 
-/// Of all poses their numbers; of a slice, which lists none, how many there are.
-std::string regions_of_domain(const Uniqueness& uniqueness, const UniquenessDomain& domain) {
-  if (uniqueness.map->slice()) return std::to_string(domain.basic_regions.size());
+/// The number of direct solutions in each aspect, by its id; `?` where the map cannot tell.
+std::string solutions_by_aspect(const BasicComponent& component) {
+  std::map<int, std::size_t> counts;
+  for (const int aspect : component.aspects) ++counts[aspect];
+  std::string text;
+  for (const auto& [aspect, count] : counts)
+    text += (text.empty() ? "" : ", ") + (aspect == 0 ? "?" : std::to_string(aspect)) + ": " +
+            std::to_string(count);
+  return text;
+}
+
+// Smaller sets, of which there are many beside what is not decided, are not listed. Nor have they basic
+// regions.
+constexpr double least_share = 1e-4;
+
+/// They are sorted: which of them are listed.
+std::size_t listed_components(const std::vector<BasicComponent>& components) {
+  double all = 0.0;
+  for (const BasicComponent& each : components) all += each.measure;
+  std::size_t listed = 0;
+  while (listed < components.size() && components[listed].measure >= least_share * all) ++listed;
+  return listed;
+}
+
+std::string basic_components_text(const Uniqueness& uniqueness) {
+  if (!uniqueness.has_regions) return "";
+  const auto& components = uniqueness.basic_components;
+  const std::string& unit = uniqueness.region_unit;
+  std::vector<std::string> titles{">set", ">solutions", "by " + part_name(*uniqueness.map, ""),
+                                  ">measure [" + unit + "]"};
+  for (std::string& title : joint_titles(*uniqueness.map->manipulator())) titles.push_back(std::move(title));
+  TextTable table(titles);
+  const std::size_t listed = listed_components(components);
+  for (std::size_t i = 0; i < listed; ++i) {
+    std::vector<std::string> cells{std::to_string(i + 1), std::to_string(components[i].solutions.size()),
+                                   solutions_by_aspect(components[i]), shown_briefly(components[i].measure)};
+    for (std::string& cell : joint_cells(components[i].inside)) cells.push_back(std::move(cell));
+    table.add(std::move(cells));
+  }
+  double rest = 0.0;
+  for (std::size_t i = listed; i < components.size(); ++i) rest += components[i].measure;
+  const std::string left_out = counted(components.size() - listed, "smaller set") + " left out, " +
+                               shown_briefly(rest) + " " + unit + " in all\n";
+  return "\nconnected sets of actuated values with one number of direct solutions, and values in each\n" +
+         table.text() + (listed < components.size() ? left_out : "");
+}
+
+/// What lies over each connected set of actuated values.
+std::string basic_regions_text(const Uniqueness& uniqueness) {
+  if (!uniqueness.has_regions) return "";
+  TextTable table({">basic region", part_name(*uniqueness.map, ">"), ">over set",
+                   ">actuated values [" + uniqueness.region_unit + "], at least", "unique", "a pose of it",
+                   ">domains"});
+  const TaskSpace space = uniqueness.map->manipulator()->task_space();
+  for (std::size_t i = 0; i < uniqueness.basic_regions.size(); ++i) {
+    const BasicRegion& region = uniqueness.basic_regions[i];
+    const auto below = component_below(uniqueness, region);
+    table.add({std::to_string(i + 1), std::to_string(region.aspect), below ? std::to_string(*below + 1) : "?",
+               shown_bound(region.measure_lower, Side::below), region.is_unique ? "proved" : "not proved",
+               to_string(space, region.pose), std::to_string(uniqueness.domains_of(i).size())});
+  }
+  return "\nbasic regions, each a connected set of poses over a connected set of actuated values\n" +
+         table.text();
+}
+
+std::string regions_of_domain(const UniquenessDomain& domain) {
   std::string text;
   for (const std::size_t region : domain.basic_regions)
     text += (text.empty() ? "" : ", ") + std::to_string(region + 1);
@@ -184,28 +257,11 @@ std::string domains_text(const Uniqueness& uniqueness) {
                    ">actuated values [" + uniqueness.region_unit + "], at least"});
   for (std::size_t i = 0; i < uniqueness.domains.size(); ++i) {
     const UniquenessDomain& domain = uniqueness.domains[i];
-    table.add({std::to_string(i + 1), std::to_string(domain.aspect), regions_of_domain(uniqueness, domain),
+    table.add({std::to_string(i + 1), std::to_string(domain.aspect), regions_of_domain(domain),
                shown_bound(domain.measure_lower, Side::below)});
   }
   return "\nuniqueness domains, which overlap" +
          std::string(uniqueness.domains_complete ? "" : " and of which there are more") + "\n" + table.text();
-}
-
-/// Of all poses: what lies over each connected set of actuated values.
-std::string basic_regions_text(const Uniqueness& uniqueness) {
-  if (!uniqueness.has_regions || uniqueness.map->slice()) return "";
-  TextTable table({">basic region", part_name(*uniqueness.map, ">"), ">over set",
-                   ">actuated values [" + uniqueness.region_unit + "], at least", "unique", "a pose of it",
-                   ">domains"});
-  const TaskSpace space = uniqueness.map->manipulator()->task_space();
-  for (std::size_t i = 0; i < uniqueness.basic_regions.size(); ++i) {
-    const BasicRegion& region = uniqueness.basic_regions[i];
-    table.add({std::to_string(i + 1), std::to_string(region.aspect), std::to_string(region.over + 1),
-               shown_bound(region.measure_lower, Side::below), region.is_unique ? "proved" : "not proved",
-               to_string(space, region.pose), std::to_string(uniqueness.domains_of(i).size())});
-  }
-  return "\nbasic regions, each a connected set of poses over a connected set of actuated values\n" +
-         table.text();
 }
 
 std::string headline(const Uniqueness& uniqueness) {
@@ -249,14 +305,14 @@ Report report_uniqueness(const Uniqueness& uniqueness) {
   for (const BasicComponent& component : uniqueness.basic_components)
     object["basic_components"].push_back(json_basic_component(*map.manipulator(), component, unit));
   for (const BasicRegion& region : uniqueness.basic_regions)
-    object["basic_regions"].push_back(json_basic_region(*map.manipulator(), region, unit));
+    object["basic_regions"].push_back(json_basic_region(uniqueness, region));
   for (const UniquenessDomain& domain : uniqueness.domains)
     object["uniqueness_domains"].push_back(json_domain(domain, unit));
   const Report constraints = report_constraints(*map.manipulator());
   object.update(constraints.json);
   return {object, headline(uniqueness) + '\n' + components_text(map) + '\n' + cusps_text(uniqueness) +
-                      nodes_text(uniqueness) + regions_text(uniqueness) + basic_regions_text(uniqueness) +
-                      domains_text(uniqueness) + '\n' + constraints.text};
+                      nodes_text(uniqueness) + regions_text(uniqueness) + basic_components_text(uniqueness) +
+                      basic_regions_text(uniqueness) + domains_text(uniqueness) + '\n' + constraints.text};
 }
 
 Report report_cusps(const Manipulator& robot, const HeldJoint& held, const CuspList& found) {

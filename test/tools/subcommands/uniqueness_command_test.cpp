@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include <cstddef>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,52 @@ TEST_F(UniquenessCommand, RefusesRangesThatAreNone) {
   const Outcome slice =
       run({"uniqueness", "three_rpr", "--cusps-over", "strut_1_joint", "--slice", "strut_1_joint=12"});
   EXPECT_NE(slice.messages.find("leave --slice"), std::string::npos) << slice.messages;
+}
+
+/// The lines of a table that begins with this title, without its titles.
+std::vector<std::string> rows_of(const std::string& output, const std::string& title) {
+  std::istringstream lines(output);
+  std::vector<std::string> rows;
+  std::string line;
+  while (std::getline(lines, line) && line.rfind(title, 0) != 0) continue;
+  std::getline(lines, line);
+  while (std::getline(lines, line) && !line.empty()) rows.push_back(line);
+  return rows;
+}
+
+/// Numbers, from 1, of these indices.
+std::string numbers_of(const json& indices) {
+  std::string text;
+  for (const std::size_t index : indices) text += (text.empty() ? "" : ", ") + std::to_string(index + 1);
+  return text;
+}
+
+TEST_F(UniquenessCommand, ListsOfASliceInTextWhatJsonHas) {
+  const std::vector<const char*> question{"uniqueness",          "three_rpr",       "--slice",
+                                          "strut_1_joint=14.98", "--no-constraint", "all"};
+  std::vector<const char*> with_json = question;
+  with_json.emplace_back("--json");
+  const Outcome outcome = run(question);
+  const json found = json::parse(run(with_json).output);
+  const auto sets = rows_of(outcome.output, "connected sets"), regions = rows_of(outcome.output, "basic"),
+             domains = rows_of(outcome.output, "uniqueness domains");
+  ASSERT_EQ(regions.size(), found["basic_regions"].size());
+  ASSERT_EQ(domains.size(), found["uniqueness_domains"].size());
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const json& region = found["basic_regions"][i];
+    int number = 0, component = 0;
+    std::size_t over = 0;
+    std::istringstream(regions[i]) >> number >> component >> over;
+    EXPECT_EQ(component, region["component"]) << regions[i];
+    EXPECT_EQ(over, region["basic_component"].get<std::size_t>() + 1) << regions[i];
+    EXPECT_LT(over, sets.size()) << regions[i];
+  }
+  for (std::size_t i = 0; i < domains.size(); ++i) {
+    const std::string indices = numbers_of(found["uniqueness_domains"][i]["basic_regions"]);
+    EXPECT_NE(domains[i].find(" " + indices + " "), std::string::npos) << domains[i];
+  }
+  const std::size_t left_out = found["basic_components"].size() - (sets.size() - 1);
+  EXPECT_EQ(sets.back().rfind(std::to_string(left_out) + " smaller sets left out", 0), 0U) << sets.back();
 }
 
 TEST_F(UniquenessCommand, ListsCuspsInSO3) {
