@@ -233,9 +233,6 @@ UniquenessResult compute_uniqueness(std::shared_ptr<const AspectMap> map,
 /// is a `find_cusps_problem` there is no answer.
 CuspList find_cusps(const Manipulator& manipulator, const HeldJoint& joint, const MapControl& control = {});
 
-/// The same of a slice of SE2 that holds a joint. Of any other slice see `find_uniqueness_problem`.
-CuspList find_cusps(const Manipulator& manipulator, const MapSlice& slice, const MapControl& control = {});
-
 /// Why there is no list of cusps with this joint held; empty where there is one.
 std::string find_cusps_problem(const Manipulator& manipulator, const HeldJoint& joint);
 

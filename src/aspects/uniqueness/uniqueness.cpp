@@ -119,10 +119,6 @@ CuspList find_cusps(const Manipulator& manipulator, const HeldJoint& joint, cons
   return of.list(of.boxes(control));
 }
 
-CuspList find_cusps(const Manipulator& manipulator, const MapSlice& slice, const MapControl& control) {
-  return find_cusps(manipulator, *slice.joint, control);
-}
-
 UniquenessResult compute_uniqueness(std::shared_ptr<const AspectMap> map, const UniquenessOptions& options,
                                     const MapControl& control) {
   const Manipulator& manipulator = *map->manipulator();

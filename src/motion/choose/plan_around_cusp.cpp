@@ -2,18 +2,22 @@
 #include "motion/choose/plan_around_cusp.h"
 
 #include "model/angles.h"
+#include "model/number_text.h"
+#include "motion/choose/cusp_loops.h"
 #include "motion/plan/path_builder.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/tracking/stand_off.h"
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace parallel_aspects {
@@ -23,9 +27,11 @@ using Eigen::Vector2d;
 
 constexpr int steps_of_a_loop = 32;
 
-// Pairs of poses beside a cusp are looked for on circles about it [rad].
-constexpr std::array<double, 6> circles{0.3, 0.15, 0.08, 0.04, 0.02, 0.01};
-constexpr int points_of_a_circle = 180;
+// Paths with as much room, to this share of it, differ by the cusps that they go around.
+constexpr double same_room = 0.01;
+
+// Noise that is tried, from the largest on, each a share of the last [rad, or share of the robot's size].
+constexpr double largest_noise = 1e-2, next_noise = 0.9, least_noise = 1e-7;
 
 // Actuated values are the same to this share of the largest.
 constexpr double same_values = 1e-6;
@@ -58,19 +64,15 @@ class ActuatedLoop {
   }
 
  private:
-  static std::array<std::size_t, 2> free_legs(std::size_t held) {
-    return {held == 0 ? 1U : 0U, held == 2 ? 1U : 2U};
+  bool is_angle(std::size_t axis) const {
+    return robot_.leg(static_cast<std::size_t>(legs_[axis])).actuated_by_angle();
   }
-
-  bool is_angle(std::size_t axis) const { return robot_.leg(legs_[axis]).actuated_by_angle(); }
 
   std::vector<int> shifts(std::size_t axis) const {
     return is_angle(axis) ? std::vector<int>{-1, 0, 1} : std::vector<int>{0};
   }
 
-  Vector2d plane_of(const JointVector& q) const {
-    return {q[static_cast<Eigen::Index>(legs_[0])], q[static_cast<Eigen::Index>(legs_[1])]};
-  }
+  Vector2d plane_of(const JointVector& q) const { return {q[legs_[0]], q[legs_[1]]}; }
 
   /// The same values, of angles in the turn next to these.
   Vector2d near(const Vector2d& reference, Vector2d values) const {
@@ -91,14 +93,8 @@ class ActuatedLoop {
   }
 
   const Manipulator& robot_;
-  std::array<std::size_t, 2> legs_;
+  std::array<Eigen::Index, 2> legs_;
   std::vector<Vector2d> values_;
-};
-
-/// Two poses of the same actuated values in one aspect.
-struct PosePair {
-  Pose first, second;
-  double least_determinant = 0.0;
 };
 
 }  // namespace
@@ -106,7 +102,7 @@ struct PosePair {
 /// One question.
 class CuspPlanner::Search {
  public:
-  Search(CuspPlanner& owner, const Cusp& cusp, std::size_t index, const MapControl& control)
+  Search(const CuspPlanner& owner, const Cusp& cusp, std::size_t index, const MapControl& control)
       : owner_(owner),
         map_(*owner.map_),
         robot_(*map_.manipulator()),
@@ -120,62 +116,42 @@ class CuspPlanner::Search {
     if (!start)
       return without_path(SameAspect::unknown,
                           "No aspect of the cusp's working mode is known to hold the start.");
-    const auto pair = pair_beside_cusp(start.aspect);
-    if (!pair)
-      return without_path(
-          SameAspect::unknown,
-          "No two poses of the same actuated values are found beside the cusp in the aspect of the "
-          "start; around a cusp poses change on one side of det A = 0 alone.");
-    const PathEnd end{from.pose, cusp_.mode, from.q};
+    CuspLoops loops(map_, owner_.segments_, cusp_.mode, start.aspect, from.pose, control_);
     std::optional<PlannedPath> best;
     for (const Pose& goal : others(from.pose, start.aspect)) {
-      for (const PathPreference prefer : {PathPreference::clear, PathPreference::shortest})
-        take_better(leg(end, goal, prefer), best);
-      take_better(by_way_of(*pair, end, goal), best);
+      if (is_cancelled(control_)) break;
+      take_better(path_of(loops.find(cusp_.actuated, goal), from), best);
     }
-    return best ? *best : without_path(SameAspect::unknown, "No path around the cusp is found.");
+    if (!best)
+      return without_path(SameAspect::unknown,
+                          "No path around the cusp is found in the aspect of the start; around a cusp poses "
+                          "change on one side of det A = 0 alone.");
+    return *best;
   }
 
  private:
-  PlannedPath leg(const PathEnd& from, const Pose& to, PathPreference prefer = PathPreference::clear) {
-    PlannedPath path = owner_.planner_.plan(from, {to, cusp_.mode}, {PathPolicy::stay, prefer}, control_);
-    if (path) path.message = message();
-    return path;
+  PlannedPath path_of(const std::vector<Pose>& poses, const PathEnd& from) const {
+    if (poses.empty()) return without_path(SameAspect::unknown, "");
+    PathBuilder builder(robot_,
+                        [this](const Pose& a, const Pose& b, double t) { return owner_.between(a, b, t); });
+    builder.go(poses, cusp_.mode);
+    return begun_at(from.q, robot_,
+                    builder.take("Every segment is proved free of singularities. The actuated joints come "
+                                 "back to where they were, and the platform does not."));
   }
 
-  /// Around the fewest other cusps, and then with the largest least parallel index.
-  void take_better(PlannedPath path, std::optional<PlannedPath>& best) const {
-    if (!path || is_cancelled(control_) || owner_.turns_around_cusps(path)[index_] == 0) return;
-    const auto rank = [this](const PlannedPath& each) {
-      const std::vector<int> turns = owner_.turns_around_cusps(each);
-      const auto around = std::count_if(turns.begin(), turns.end(), [](int turn) { return turn != 0; });
-      return std::pair(around, -each.least_index);
-    };
-    if (!best || rank(path) < rank(*best)) best = std::move(path);
+  void take_better(PlannedPath path, std::optional<PlannedPath>& best) {
+    if (!path || owner_.turns_around_cusps(path)[index_] == 0) return;
+    const double room = owner_.least_room(path);
+    const auto around = cusps_around(path);
+    if (best && room < (around < around_ ? 1.0 - same_room : 1.0 + same_room) * room_) return;
+    best = std::move(path);
+    room_ = room, around_ = around;
   }
 
-  static std::string message() {
-    return "Every segment is proved free of singularities. The actuated joints come back to where they were, "
-           "and "
-           "the platform does not.";
-  }
-
-  /// To the one, around the cusp to the other, and on.
-  PlannedPath by_way_of(const PosePair& pair, const PathEnd& from, const Pose& goal) {
-    std::optional<PlannedPath> best;
-    for (const auto& [one, other] :
-         {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
-      const PlannedPath around = leg({one, cusp_.mode}, other);
-      if (!around || owner_.turns_around_cusps(around)[index_] == 0) continue;
-      const PlannedPath before = leg(from, one), behind = leg({other, cusp_.mode}, goal);
-      if (!before || !behind) continue;
-      PathBuilder builder(robot_,
-                          [this](const Pose& a, const Pose& b, double t) { return owner_.between(a, b, t); });
-      for (const PlannedPath* part : {&before, &around, &behind})
-        for (const PathPoint& point : part->points) builder.go({point.pose}, point.mode);
-      take_better(begun_at(from.q, robot_, builder.take(message())), best);
-    }
-    return best ? *best : without_path(SameAspect::unknown, "");
+  std::ptrdiff_t cusps_around(const PlannedPath& path) const {
+    const std::vector<int> turns = owner_.turns_around_cusps(path);
+    return std::count_if(turns.begin(), turns.end(), [](int turn) { return turn != 0; });
   }
 
   JointVector actuated_at(const Pose& pose) const { return inverse(robot_, pose, cusp_.mode).q; }
@@ -205,48 +181,60 @@ class CuspPlanner::Search {
     return {std::atan2(rod.y(), rod.x()), 2.0 * std::atan2(pose.orientation.z(), pose.orientation.w())};
   }
 
-  /// On the largest circle about the cusp that has one, that which is farthest from det A = 0.
-  std::optional<PosePair> pair_beside_cusp(int aspect) const {
-    const Vector2d middle = point_of(cusp_.pose);
-    std::optional<PosePair> best;
-    for (const double radius : circles) {
-      for (int i = 0; i < points_of_a_circle && !is_cancelled(control_); ++i) {
-        const double angle = 2.0 * pi * i / points_of_a_circle;
-        const Vector2d at = middle + radius * Vector2d(std::cos(angle), std::sin(angle));
-        look_beside(circle_.pose(at.x(), at.y()), radius, aspect, best);
-      }
-      if (best) return best;
-    }
-    return best;
-  }
-
-  void look_beside(const Pose& pose, double radius, int aspect, std::optional<PosePair>& best) const {
-    if (map_.locate(pose, cusp_.mode).aspect != aspect) return;
-    for (const Pose& other : others(pose, aspect)) {
-      if (pose_distance(other, cusp_.pose) > 2.0 * radius) continue;
-      const double least = std::min(determinant(pose), determinant(other));
-      if (!best || least > best->least_determinant) best = PosePair{pose, other, least};
-    }
-  }
-
-  double determinant(const Pose& pose) const {
-    return std::abs(direct_determinant(robot_, pose, actuated_at(pose)));
-  }
-
-  CuspPlanner& owner_;
+  const CuspPlanner& owner_;
   const AspectMap& map_;
   const Manipulator& robot_;
   const Cusp& cusp_;
   std::size_t index_;
   const MapControl& control_;
   AnchorCircle circle_;
+  double room_ = 0.0;          // of the best path
+  std::ptrdiff_t around_ = 0;  // how many cusps that goes around
 };
 
 CuspPlanner::CuspPlanner(std::shared_ptr<const AspectMap> map, std::vector<Cusp> cusps)
-    : map_(std::move(map)), cusps_(std::move(cusps)), planner_(map_) {}
+    : map_(std::move(map)), cusps_(std::move(cusps)), segments_(map_) {}
 
-PlannedPath CuspPlanner::plan(const PathEnd& from, std::size_t cusp, const MapControl& control) {
+PlannedPath CuspPlanner::plan(const PathEnd& from, std::size_t cusp, const MapControl& control) const {
   return Search(*this, cusps_[cusp], cusp, control).run(from);
+}
+
+void CuspPlanner::look_along(const PlannedPath& path, const Look& look) const {
+  for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+    for (int step = 0; step <= steps_of_a_loop; ++step) {
+      const PathPoint &from = path.points[i], &to = path.points[i + 1];
+      look(between(from.pose, to.pose, static_cast<double>(step) / steps_of_a_loop), from.mode);
+    }
+}
+
+double CuspPlanner::least_room(const PlannedPath& path) const {
+  const Manipulator& robot = *map_->manipulator();
+  double least = std::numeric_limits<double>::infinity();
+  look_along(path, [&](const Pose& pose, const WorkingMode& mode) {
+    least = std::min(least, room_at(robot, pose, inverse(robot, pose, mode).q));
+  });
+  return least;
+}
+
+double CuspPlanner::followed_noise(const PlannedPath& path) const {
+  SampleOptions options;
+  options.encoder_noise = largest_noise;
+  std::optional<StandOff> stand_off(std::in_place, map_->manipulator(), options);
+  look_along(path, [&](const Pose& pose, const WorkingMode& mode) {
+    while (stand_off && !stand_off->can_distinguish(pose, mode)) {
+      options.encoder_noise *= next_noise;
+      stand_off.reset();
+      if (options.encoder_noise > least_noise) stand_off.emplace(map_->manipulator(), options);
+    }
+  });
+  return stand_off ? options.encoder_noise : 0.0;
+}
+
+std::string noise_text(double noise) {
+  return noise > 0.0 ? "By an estimate a tracker follows it with encoders that are off by up to " +
+                           number_text(noise) +
+                           " rad, or that share of the robot's size in m (tracking/encoder_noise)."
+                     : "It is so narrow that by an estimate no tracker follows it.";
 }
 
 std::vector<int> CuspPlanner::turns_around_cusps(const PlannedPath& path) const {

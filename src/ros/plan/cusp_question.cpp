@@ -90,7 +90,7 @@ std::string several_cusps(const std::vector<int>& turns) {
 CuspPath plan_around_cusp(const std::shared_ptr<const Manipulator>& manipulator, const PathEnd& from,
                           const CuspQuestion& question, const MapControl& control) {
   CuspPath result;
-  const CuspList list = find_cusps(*manipulator, question.slice, control);
+  const CuspList list = find_cusps(*manipulator, *question.slice.joint, control);
   if (is_cancelled(control)) return result;
   if (question.cusp >= list.cusps.size()) {
     result.status = invalid_request(list_of(*manipulator, question, list));
@@ -105,6 +105,7 @@ CuspPath plan_around_cusp(const std::shared_ptr<const Manipulator>& manipulator,
   }
   const auto planner = std::make_shared<CuspPlanner>(map.map, list.cusps);
   result.path = planner->plan(from, question.cusp, control);
+  if (result.path) result.path.message += " " + noise_text(planner->followed_noise(result.path));
   result.turns_around_cusps = planner->turns_around_cusps(result.path);
   result.between = [planner](const Pose& a, const Pose& b, double t) { return planner->between(a, b, t); };
   return result;

@@ -114,6 +114,7 @@ struct Plan {
   PoseBetween between = pose_between;
   ChosenMap map{};                        // none over a roadmap
   std::vector<int> turns_around_cusps{};  // by cusp; empty where not asked for
+  double followed_noise = 0.0;            // where that is asked for
 };
 
 /// With what tells how long a path takes, where that counts. The certifier outlives it.
@@ -188,7 +189,7 @@ Plan plan_around_cusp(const std::shared_ptr<const Manipulator>& manipulator, con
   if (!problem.empty()) throw InvalidDescription({problem});
   const ChosenMap chosen = choose_map(manipulator, arguments.map, question.slice, surroundings);
   const MapControl control = control_of(surroundings);
-  const CuspList cusps = find_cusps(*manipulator, *question.slice, control);
+  const CuspList cusps = find_cusps(*manipulator, *question.slice->joint, control);
   if (is_cancelled(control)) throw Interrupted{};
   if (*question.around_cusp >= cusps.cusps.size())
     throw InvalidDescription({"--around-cusp is " + arguments.around_cusp + ", but the slice has " +
@@ -202,9 +203,10 @@ Plan plan_around_cusp(const std::shared_ptr<const Manipulator>& manipulator, con
   PlannedPath path = planner->plan(from, *question.around_cusp, control);
   if (is_cancelled(control)) throw Interrupted{};
   std::vector<int> turns = planner->turns_around_cusps(path);
+  const double noise = path ? planner->followed_noise(path) : 0.0;
   return {std::move(path),
           [planner](const Pose& a, const Pose& b, double t) { return planner->between(a, b, t); }, chosen,
-          std::move(turns)};
+          std::move(turns), noise};
 }
 
 /// Which actuated joints arrive whole turns from the values that were asked for; empty where none does.
@@ -226,7 +228,9 @@ std::string turned_text(const Manipulator& manipulator, const PathEnd& to, const
 void add_cusps(const Plan& plan, const std::optional<std::size_t>& asked, Report& report) {
   report.json["around_cusp"] = asked ? nlohmann::json(*asked + 1) : nlohmann::json();
   report.json["turns_around_cusps"] = asked ? nlohmann::json(plan.turns_around_cusps) : nlohmann::json();
-  if (!asked || !plan.path) return;
+  const bool found = asked && plan.path;
+  report.json["encoder_noise"] = found ? nlohmann::json(plan.followed_noise) : nlohmann::json();
+  if (!found) return;
   report.text += "the actuated values go";
   std::string around;
   for (std::size_t k = 0; k < plan.turns_around_cusps.size(); ++k)
@@ -234,7 +238,7 @@ void add_cusps(const Plan& plan, const std::optional<std::size_t>& asked, Report
       around += (around.empty() ? "" : ",") + std::string(" around cusp ") + std::to_string(k + 1) + " " +
                 (std::abs(turns) == 1 ? "once" : counted(static_cast<std::size_t>(std::abs(turns)), "time")) +
                 (turns > 0 ? " counter-clockwise" : " clockwise");
-  report.text += around + "\n";
+  report.text += around + "\n" + noise_text(plan.followed_noise) + "\n";
 }
 
 int code_of(SameAspect answer) {

@@ -33,7 +33,7 @@ constexpr double pi = EIGEN_PI;
 
 /// The cusps of one slice, isolated in two coordinates.
 CuspList cusps_at(const Robot& robot, std::size_t leg, double held) {
-  return find_cusps(*robot, test::slice_of(robot, {{robot->leg(leg).actuated_joint, held}}));
+  return find_cusps(*robot, HeldJoint{leg, held});
 }
 
 const CuspCount* count_at(const CuspCurves& found, double held) {

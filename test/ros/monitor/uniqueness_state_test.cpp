@@ -40,7 +40,7 @@ std::vector<JointVector> around_cusp(const Manipulator& robot, const MapSlice& s
   MapOptions options;
   options.slice = slice;
   const auto map = compute_aspect_map(test::shipped("three_rpr")->mapped_manipulator(), options).map;
-  CuspPlanner planner(map, find_cusps(robot, slice).cusps);
+  CuspPlanner planner(map, find_cusps(robot, *slice.joint).cusps);
   const PlannedPath path = planner.plan({test::pose_with_six_solutions(robot, *map, 4), {}}, 1);
   EXPECT_TRUE(path) << path.message;
   return test::values_along(robot, planner, path, 200);
