@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Prints a table of docs/uniqueness.md: paths around the cusps of the 3-RPR, played into the tracker with
-// noise of its encoders. Usage: cusp_campaign [STARTS]
+// noise of its encoders. Usage: cusp_campaign
 #include "motion/choose/plan_around_cusp.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/map_slice.h"
@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <random>
 #include <string>
@@ -24,13 +23,13 @@ namespace parallel_aspects {
 namespace {
 
 constexpr double held = 14.98;
-constexpr int steps = 2000;        // of a segment
-constexpr unsigned plays = 3;      // of a path, with other noise
+constexpr int steps = 2000;           // of a segment
+constexpr unsigned plays = 3;         // of a path, with other noise
 constexpr double played_most = 1e-4;  // the default of the tracker
 
 struct Row {
   int paths = 0, followed = 0, followed_finer = 0, plays = 0;
-  std::vector<double> index, noise, seconds;
+  std::vector<double> index, seconds;
 };
 
 /// Actuated values along a path, which stop at each of its points without a jerk.
@@ -65,8 +64,8 @@ bool is_followed(const std::shared_ptr<const Manipulator>& robot, const PlannedP
   return (tracker.state().pose.position - path.points.back().pose.position).norm() < 0.5;
 }
 
-void play(const std::shared_ptr<const Manipulator>& robot, const CuspPlanner& planner, const PlannedPath& path,
-          Row& row) {
+void play(const std::shared_ptr<const Manipulator>& robot, const CuspPlanner& planner,
+          const PlannedPath& path, Row& row) {
   const std::vector<JointVector> values = values_along(*robot, planner, path);
   ++row.paths;
   row.index.push_back(path.least_index);
@@ -77,31 +76,36 @@ void play(const std::shared_ptr<const Manipulator>& robot, const CuspPlanner& pl
   }
 }
 
-void campaign(const std::string& title, const std::shared_ptr<const Manipulator>& robot) {
+Row row_of(const std::shared_ptr<const Manipulator>& robot, CuspPlanner& planner, std::size_t cusp,
+           const std::vector<Pose>& starts) {
+  Row row;
+  for (const Pose& from : starts) {
+    const test::Stopwatch stopwatch;
+    const PlannedPath path = planner.plan({from, {}}, cusp);
+    row.seconds.push_back(stopwatch.seconds());
+    if (path) play(robot, planner, path, row);
+  }
+  return row;
+}
+
+/// From all poses of the actuated values that the shipped robot starts with, or from its start alone.
+void campaign(const std::string& title, const std::shared_ptr<const Manipulator>& robot, bool only_start) {
   MapOptions options;
   Problems problems;
   options.slice = make_slice(*robot, {{robot->leg(0).actuated_joint, held}}, problems);
-  const auto map = compute_aspect_map(robot, options).map;
   const CuspList list = find_cusps(*robot, *options.slice->joint);
-  CuspPlanner planner(map, list.cusps);
-  const auto starts = direct(*robot, Eigen::Vector3d(held, 15.38, 12.0)).solutions;
+  CuspPlanner planner(compute_aspect_map(robot, options).map, list.cusps);
+  const AnchorCircle circle = circle_of_anchor(*robot, *options.slice->joint);
+  const Pose start = Pose::planar(-8.72659533, 12.17566975, -0.98697424);
+  std::vector<Pose> starts;
+  for (const AssemblyMode& each : direct(*robot, Eigen::Vector3d(held, 15.38, 12.0)).solutions)
+    if (!only_start || (each.pose.position - start.position).norm() < 1e-3)
+      starts.push_back(circle.nearest(each.pose));
   for (std::size_t cusp = 0; cusp < list.cusps.size(); ++cusp) {
-    Row row;
-    for (const AssemblyMode& start : starts) {
-      const test::Stopwatch stopwatch;
-      const Pose from = circle_of_anchor(*robot, *options.slice->joint).nearest(start.pose);
-      const PlannedPath path = planner.plan({from, {}}, cusp);
-      row.seconds.push_back(stopwatch.seconds());
-      if (path) {
-        std::printf("  cusp %zu from %.3f %.3f: index %.5f det %.4g points %zu turns", cusp + 1, from.position.x(), from.position.y(), path.least_index, path.least_det_a, path.points.size());
-        for (int t : planner.turns_around_cusps(path)) std::printf(" %d", t);
-        std::printf(" noise %.3g room %.3g s %.3f\n", planner.followed_noise(path), planner.least_room(path), row.seconds.back());
-        play(robot, planner, path, row);
-      } else std::printf("  cusp %zu from %.3f %.3f: %s\n", cusp + 1, from.position.x(), from.position.y(), path.message.c_str());
-    }
-    std::printf("| %s | %zu | %d | %d of %d | %d of %d | %.4f | %.2f |\n", title.c_str(), cusp + 1, row.paths,
-                row.followed, row.plays, row.followed_finer, row.plays, test::quantile(row.index, 0.5),
-                test::quantile(row.seconds, 1.0));
+    const Row row = row_of(robot, planner, cusp, starts);
+    std::printf("| %s | %zu | %d of %zu | %d of %d | %d of %d | %.3f | %.2f |\n", title.c_str(), cusp + 1,
+                row.paths, starts.size(), row.followed, row.plays, row.followed_finer, row.plays,
+                test::quantile(row.index, 0.5), test::quantile(row.seconds, 1.0));
     std::fflush(stdout);
   }
 }
@@ -111,6 +115,7 @@ void campaign(const std::string& title, const std::shared_ptr<const Manipulator>
 
 int main() {
   using namespace parallel_aspects;
-  campaign("none", test::three_rpr()->with_constraints({}));
-  campaign("10 to 32 m", test::three_rpr());
+  campaign("none", test::three_rpr()->with_constraints({}), false);
+  campaign("10 to 32 m", test::three_rpr(), false);
+  campaign("10 to 32 m, from its start", test::three_rpr(), true);
 }

@@ -231,10 +231,11 @@ double CuspPlanner::followed_noise(const PlannedPath& path) const {
 }
 
 std::string noise_text(double noise) {
-  return noise > 0.0 ? "By an estimate a tracker follows it with encoders that are off by up to " +
-                           number_text(noise) +
-                           " rad, or that share of the robot's size in m (tracking/encoder_noise)."
-                     : "It is so narrow that by an estimate no tracker follows it.";
+  if (!(noise > 0.0)) return "It is so narrow that by an estimate no tracker follows it.";
+  const double digit = std::pow(10.0, std::floor(std::log10(noise)) - 1.0);
+  return "By an estimate a tracker follows it with encoders that are off by up to " +
+         number_text(digit * std::floor(noise / digit)) +
+         " rad, or that share of the robot's size in m (tracking/encoder_noise).";
 }
 
 std::vector<int> CuspPlanner::turns_around_cusps(const PlannedPath& path) const {
