@@ -61,7 +61,9 @@ bool is_followed(const std::shared_ptr<const Manipulator>& robot, const PlannedP
     return false;
   for (const JointVector& q : values)
     if (!tracker.update(time += 1e-3, noisy(q)).followed()) return false;
-  return (tracker.state().pose.position - path.points.back().pose.position).norm() < 0.5;
+  const double off_end = (tracker.state().pose.position - path.points.back().pose.position).norm();
+  if (off_end > 0.5) std::fprintf(stderr, "wrong: it is followed to another pose, %g m off\n", off_end);
+  return off_end <= 0.5;
 }
 
 void play(const std::shared_ptr<const Manipulator>& robot, const CuspPlanner& planner,

@@ -43,7 +43,6 @@ class CuspLoops {
     double room = 0.0;  // 0 outside of the aspect
     JointVector q;
   };
-  struct State;  // a node, and how often the cut behind the cusp was passed
   class Search;
 
   void fill(const MapControl& control);
