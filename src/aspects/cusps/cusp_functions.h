@@ -44,6 +44,11 @@ inline bool are_regular(const CuspLegs& legs) noexcept {
   });
 }
 
+/// Whether D may vanish, by what that takes alone.
+inline bool may_be_singular(const CuspLegs& legs, const SliceTurns& at) noexcept {
+  return may_vanish(bracket(legs[0].equation.jet<1>(at), legs[1].equation.jet<1>(at)).value());
+}
+
 /// D and {D, g_i} with derivatives up to an order, and g_i, all at fixed joint values.
 template <std::size_t Order>
 struct CuspFunctions {

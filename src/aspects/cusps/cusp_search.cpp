@@ -46,12 +46,13 @@ class CuspTest {
   bool may_hold_cusp() const {
     const auto legs = legs_over(slice_, posture_, place_);
     if (!legs) return true;
-    if (is_out_of_reach(*legs)) return false;
+    if (is_out_of_reach(*legs) || !may_be_singular(*legs, place_.over())) return false;
     const Over over(*legs, place_.over());
     if (!over.may_have_cusp()) return false;
-    const SliceCenter& middle = place_.middle();
+    if (!are_regular(*legs)) return true;
     const auto center = at_center();
-    if (!are_regular(*legs) || !center) return true;
+    if (!center) return true;
+    const SliceCenter& middle = place_.middle();
     const TotalGradients<2> slopes(*legs, over, place_.over());
     return may_vanish(center->d.value(), slopes.d, middle) &&
            may_vanish(center->along_kernel[0].value(), slopes.along_kernel[0], middle) &&
