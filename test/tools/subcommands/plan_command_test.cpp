@@ -341,5 +341,19 @@ TEST_F(PlanCommand, TellsWhereControlIsLost) {
   EXPECT_EQ(lost, 1);
 }
 
+TEST_F(PlanCommand, SaysWhatNoiseAPathAroundACuspIsFollowedWith) {
+  const std::vector<const char*> hold{
+      "plan", "three_rpr", "--hold", "strut_1_joint=14.98", "--from", "-8.72659533 12.17566975 -0.98697424"};
+  std::vector<const char*> around = hold, straight = hold;
+  around.insert(around.end(), {"--around-cusp", "2"});
+  straight.insert(straight.end(), {"--to", "-8.72659533 12.17566975 -0.98697424"});
+  const json path = run_json(around);
+  EXPECT_EQ(path.at("answer"), "yes");
+  EXPECT_NE(path.at("turns_around_cusps").at(1), 0);
+  EXPECT_GT(path.at("encoder_noise"), 3e-5);
+  EXPECT_LT(path.at("encoder_noise"), 1e-3);
+  EXPECT_TRUE(run_json(straight).at("encoder_noise").is_null());
+}
+
 }  // namespace
 }  // namespace parallel_aspects::tools
