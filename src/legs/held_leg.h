@@ -28,7 +28,10 @@ class HeldLeg {
 
   /// Derivatives by q: of c, and of the length of the rod in the plane, which must not vanish.
   const Planar<Interval>& center_slope() const noexcept { return lever_; }
-  Interval length_slope() const noexcept { return rod_slope_ * rod_ * reciprocal(length_); }
+  Interval length_slope() const noexcept { return half_square_slope() * reciprocal(length_); }
+
+  /// Of half the square of that length.
+  Interval half_square_slope() const noexcept { return rod_slope_ * rod_; }
 
   /// u, of this direction.
   template <class Scalar>

@@ -85,7 +85,7 @@ struct SolutionRegion {
 struct BasicComponent {
   JointVector inside;           ///< actuated values in it [m]
   std::vector<Pose> solutions;  ///< all poses of these, proved
-  std::vector<int> aspects;     ///< id of the aspect that holds each; 0 where the map can not tell
+  std::vector<int> aspects;     ///< id of the aspect that holds each; 0 where no map can tell
   double measure = 0.0;         ///< best estimate [m^2, or m^3 of all three joints]
   double measure_lower = 0.0;   ///< proved [m^2 or m^3]
 };
@@ -159,12 +159,26 @@ struct UniquenessOptions {
   std::optional<MapSlice> slice;
   std::optional<double> resolution;  ///< of the map of the aspects, see `MapOptions`
   /// The division of actuated values for numbers of solutions ends at so many cells, that for basic regions
-  /// at a quarter of them; by default at 250,000, and in slices that is never reached.
+  /// at a quarter of them; by default at 250,000, and in slices that is never reached. Of three struts.
   std::optional<std::size_t> most_cells;
 };
 
+/// How many direct solutions actuated values have.
+struct SolutionNumbers {
+  /// Whether they were looked for: of robots with three struts, and of all others in slices, unless they have
+  /// an actuated elbow. Else what is below is empty.
+  bool has_regions = false;
+  std::string region_unit;                       ///< of measures of actuated values, as "m^2" or "rad^2"
+  std::vector<SolutionRegion> regions;           ///< by number of solutions
+  double measure_unknown = 0.0;                  ///< where no number of solutions is proved [that unit]
+  std::vector<BasicComponent> basic_components;  ///< those with solutions, the largest first
+  /// Index in `basic_components` of that which holds these actuated values (of which a held one is not
+  /// read). Nothing where they have no solution, no number of solutions is proved, or these are no values.
+  std::function<std::optional<std::size_t>(const JointVector&)> component_of;
+};
+
 /// Which poses of an aspect have the same actuated values, and where direct solutions meet.
-struct Uniqueness {
+struct Uniqueness : SolutionNumbers {
   std::shared_ptr<const AspectMap> map;  ///< of the aspects of the robot, or of the slice
   /// The direct problem has at most two solutions, at which det A has opposite signs. So each aspect,
   /// whatever limits and constraints bound it, is a uniqueness domain, and no three solutions meet anywhere.
@@ -175,15 +189,8 @@ struct Uniqueness {
   bool cusps_complete = false;      ///< it is proved that there are no others within limits
   std::vector<SolutionNode> nodes;  ///< likewise, of slices of robots with three struts
   bool nodes_complete = false;      ///< it is proved that there are no others within limits
-  /// Whether what is below was looked for, of robots with three struts; else it is empty.
-  bool has_regions = false;
-  std::string region_unit;                       ///< of measures of actuated values: "m^2" or "m^3"
-  std::vector<SolutionRegion> regions;           ///< by number of solutions
-  double measure_unknown = 0.0;                  ///< where no number of solutions is proved [m^2 or m^3]
-  std::vector<BasicComponent> basic_components;  ///< those with solutions, the largest first
-  /// Index in `basic_components` of that which holds these actuated values (of which a held one is not
-  /// read). Nothing where they have no solution, or no number of solutions is proved.
-  std::function<std::optional<std::size_t>(const JointVector&)> component_of;
+  /// Whether basic regions and domains were looked for, of robots with three struts; else they are empty.
+  bool has_domains = false;
   std::vector<BasicRegion> basic_regions;  ///< over sets of actuated values that are not tiny
   /// Index in `basic_regions` of that which holds a pose, or the direct solution beside it that has its
   /// actuated values as they are rounded; nothing where that is not proved, and outside of limits. It takes
@@ -219,7 +226,8 @@ struct UniquenessResult {
 };
 
 /// Computes all of it. In T1, T2 and T3 it follows from a theorem. In SE2 there are slices with an actuated
-/// joint held: their cusps, and of robots with three struts all the rest, too; and these robots as a whole,
+/// joint held: their cusps, unless a leg has an actuated elbow the numbers of solutions, and of robots with
+/// three struts all the rest, too; and these robots as a whole,
 /// within limits, but for cusps. What remains is refused with a message.
 UniquenessResult compute_uniqueness(std::shared_ptr<const Manipulator> manipulator,
                                     const UniquenessOptions& options = {}, const MapControl& control = {});
@@ -232,6 +240,11 @@ UniquenessResult compute_uniqueness(std::shared_ptr<const AspectMap> map,
 /// The cusps alone of a robot of SE2 or SO3 with a joint held; a cancelled list is not complete. Where there
 /// is a `find_cusps_problem` there is no answer.
 CuspList find_cusps(const Manipulator& manipulator, const HeldJoint& joint, const MapControl& control = {});
+
+/// The numbers alone, in the slice of SE2 or SO3 that holds a joint there: without a map, so that no aspects
+/// are known. Empty with an actuated elbow, or when cancelled.
+SolutionNumbers count_direct_solutions(const Manipulator& manipulator, const HeldJoint& joint,
+                                       const MapControl& control = {});
 
 /// Why there is no list of cusps with this joint held; empty where there is one.
 std::string find_cusps_problem(const Manipulator& manipulator, const HeldJoint& joint);

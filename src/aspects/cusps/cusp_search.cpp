@@ -2,7 +2,8 @@
 #include "aspects/cusps/cusp_search.h"
 
 #include "aspects/cusps/cusp_functions.h"
-#include "aspects/cusps/krawczyk.h"
+#include "aspects/zeros/known_zeros.h"
+#include "aspects/zeros/krawczyk.h"
 #include "interval/scalar_range.h"
 
 #include <algorithm>
@@ -115,30 +116,21 @@ class CuspSearch {
     }
     result.has_curves = result.has_curves || boxes_.size() >= most_open;
     for (const Box& box : boxes_) result.undecided.push_back({box, posture_});
-    for (const Known& each : known_) result.cusps.push_back({without_turns(each.enclosure), posture_});
+    for (const KnownZero& each : known_.all())
+      result.cusps.push_back({without_turns(each.enclosure), posture_});
   }
 
  private:
-  struct Known {
-    Box unique;     // holds one cusp
-    Box enclosure;  // of it
-  };
-
   CuspTest test(const Box& box) const { return {slice_, posture_, box}; }
 
   /// False where the box is too small to be divided.
   bool examine(const Box& box) {
-    if (is_known(box) || !test(box).may_hold_cusp()) return true;
+    if (known_.cover(box) || !test(box).may_hold_cusp()) return true;
     const double width = std::max(box.width(0), box.width(1));
     if (width < largest_tested && is_settled(scaled(box, inflation))) return true;
     if (width < smallest_box) return false;
     for (const Box& half : halves_of(box)) boxes_.push_back(half);
     return true;
-  }
-
-  bool is_known(const Box& box) const {
-    return std::any_of(known_.begin(), known_.end(),
-                       [&](const Known& each) { return contains_up_to_turns(each.unique, box); });
   }
 
   /// Whether it is proved that the box holds no cusp, or one, which then is known.
@@ -150,25 +142,14 @@ class CuspSearch {
     Box enclosure = found.enclosure;
     for (int k = 0; k < contractions; ++k)
       enclosure = intersection(enclosure, test(enclosure).newton(*i).enclosure);
-    return test(enclosure).has_rank_one(*i) && note({box, enclosure});
-  }
-
-  /// Whether it is proved that the cusp is a known one, or none of these.
-  bool note(const Known& found) {
-    for (const Known& each : known_) {
-      if (contains_up_to_turns(each.unique, found.enclosure)) return true;
-      if (contains_up_to_turns(found.unique, each.enclosure)) return true;
-      if (meet_up_to_turns(found.enclosure, each.enclosure)) return false;
-    }
-    known_.push_back(found);
-    return true;
+    return test(enclosure).has_rank_one(*i) && known_.note({box, enclosure});
   }
 
   const HeldSlice& slice_;
   SlicePosture posture_;
   const MapControl& control_;
   std::deque<Box> boxes_;  // the largest first
-  std::vector<Known> known_;
+  KnownZeros known_;
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_CUSPS_CUSP_TUBE_H
 
 #include "aspects/cusps/cusp_family.h"
-#include "aspects/cusps/krawczyk.h"
+#include "aspects/zeros/krawczyk.h"
 #include "parallel_aspects/aspects/box.h"
 
 #include <array>

@@ -3,25 +3,16 @@
 
 #include "interval/scalar_range.h"
 #include "legs/determinant.h"
+#include "legs/held_point.h"
 #include "model/angles.h"
 
 #include <Eigen/Geometry>
 
-#include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <variant>
 
 namespace parallel_aspects {
 namespace {
-
-Spatial<Interval> scaled(const Interval& factor, const Spatial<Interval>& v) {
-  return {factor * v[0], factor * v[1], factor * v[2]};
-}
-
-Spatial<Interval> sum_of(const Spatial<Interval>& a, const Spatial<Interval>& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
 
 Spatial<Interval> unit(const Spatial<Interval>& v) {
   return scaled(reciprocal(square_root(squared_norm(v))), v);
@@ -37,40 +28,6 @@ RotationRows<Interval> frame_along(const Spatial<Interval>& direction) {
   const Spatial<Interval> third = unit(direction), first = unit(cross(other, direction));
   return {first, cross(third, first), third};
 }
-
-/// c, c' and rho^2 where the joint is held.
-class HeldPoint {
- public:
-  Spatial<Interval> c, slope{0.0, 0.0, 0.0};
-  Interval squared_rod;
-
-  HeldPoint(const Leg& leg, double q) : squared_rod(square(Interval(leg.rod_length))), q_(q) {
-    std::visit([this](const auto& actuation) { set(actuation); }, leg.actuation);
-  }
-
- private:
-  void set(const RevoluteActuation& crank) {
-    const Turn<Interval> turn = enclosed_turn(q_);
-    const Spatial<Interval> zero = scaled(crank.radius, enclosed(crank.zero_direction)),
-                            side = cross(enclosed(crank.axis), zero);
-    c = sum_of(enclosed(crank.center), sum_of(scaled(turn.cosine, zero), scaled(turn.sine, side)));
-    slope = sum_of(scaled(-turn.sine, zero), scaled(turn.cosine, side));
-  }
-
-  void set(const PrismaticActuation& rail) {
-    slope = enclosed(rail.direction);
-    c = sum_of(enclosed(rail.origin), scaled(q_, slope));
-  }
-
-  void set(const StrutActuation& strut) {
-    c = enclosed(strut.base);
-    squared_rod = square(Interval(strut.length_at_zero) + Interval(strut.sense) * Interval(q_));
-  }
-
-  void set(const ElbowActuation&) { assert(!"an actuated elbow is not held"); }
-
-  double q_;
-};
 
 }  // namespace
 

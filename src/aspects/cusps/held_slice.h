@@ -5,6 +5,7 @@
 #include "aspects/cusps/cosine_sum.h"
 #include "interval/interval.h"
 #include "legs/limit_verdict.h"
+#include "legs/spatial_leg.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
@@ -43,6 +44,11 @@ class SlicePlace {
   mutable std::optional<SliceTurns> center_;  // computed where it is asked for
 };
 
+/// |B_jj|.
+inline Interval root_of(const Interval& squared_entry) noexcept {
+  return square_root(not_negative_part(squared_entry));
+}
+
 /// A robot with three legs of any kind, the actuated joint of one of them held: the equations of both others
 /// over its slice. All of it needs a live `RoundingUpward`.
 class HeldSlice {
@@ -69,6 +75,22 @@ class HeldSlice {
   /// Nothing where the box is too large to tell.
   virtual std::optional<LegOver> leg_over(std::size_t i, int sign, const SlicePlace& at) const noexcept = 0;
 
+  /// A leg at a joint value.
+  struct LegAt {
+    CosineSum equation;  ///< g_i, all of it
+    CosineSum slope;     ///< its derivative by the joint value, -B_jj
+  };
+
+  /// Not of an actuated elbow.
+  virtual LegAt leg_at(std::size_t i, double q) const noexcept = 0;
+
+  /// Over a box, in one posture, or where the leg is stretched or folded, with sign 0: a range of values, of
+  /// angles to whole turns. Nothing where the box is too large to tell. Not of an actuated elbow.
+  std::optional<Interval> joint_value(std::size_t i, int sign, const SlicePlace& at) const noexcept;
+
+  /// B_jj over a box where the leg is neither stretched nor folded, of a strut too.
+  Interval joint_entry(std::size_t i, const LegOver& leg, const SlicePlace& at) const noexcept;
+
   /// Whether the joint values are within limits.
   Verdict within_limits(const SlicePosture& posture, const SlicePlace& at) const noexcept;
 
@@ -81,6 +103,15 @@ class HeldSlice {
  protected:
   HeldSlice(const Manipulator& manipulator, std::size_t held, SliceSums sums);
 
+  /// c, and the length of the rod.
+  struct RodOver {
+    Spatial<Interval> from;  ///< [m]
+    Interval length;         ///< in space [m]
+  };
+  virtual std::optional<RodOver> rod_over(std::size_t i, int sign, const SlicePlace& at) const noexcept = 0;
+
+  const Leg& moving_leg(std::size_t i) const noexcept { return moving_legs_[i]; }
+
   virtual Verdict leg_within_limits(std::size_t i, int sign, const SlicePlace& at) const noexcept = 0;
 
   /// B_jj of the leg whose joint is held, but for a positive factor.
@@ -90,6 +121,7 @@ class HeldSlice {
   SliceSums sums_;
   std::vector<int> held_signs_;  // of B_jj that there are
   std::array<std::size_t, 2> legs_{};
+  std::vector<Leg> moving_legs_;
   std::vector<SlicePosture> postures_;
 };
 

@@ -3,7 +3,7 @@
 
 #include "aspects/cusps/cusp_functions.h"
 #include "aspects/cusps/jet.h"
-#include "aspects/cusps/krawczyk.h"
+#include "aspects/zeros/krawczyk.h"
 #include "interval/scalar_range.h"
 
 #include <algorithm>

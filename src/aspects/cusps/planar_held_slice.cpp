@@ -66,7 +66,7 @@ std::optional<HeldSlice::LegOver> PlanarHeldSlice::leg_over(std::size_t i, int s
   LegOver result;
   result.reaches = is_positive(squared_entry);
   if (squared_entry.upper() < 0.0) return result;
-  const Interval root = square_root(not_negative_part(squared_entry));
+  const Interval root = root_of(squared_entry);
   const auto points = moving.leg.link_points(d, root, sign);
   if (!points) return std::nullopt;
   const auto& c = points->joint;
@@ -82,10 +82,32 @@ std::optional<HeldSlice::LegOver> PlanarHeldSlice::leg_over(std::size_t i, int s
   return result;
 }
 
+HeldSlice::LegAt PlanarHeldSlice::leg_at(std::size_t i, double q) const noexcept {
+  const MovingLeg& moving = legs_[i];
+  const HeldLeg at(moving_leg(i), q, 0.0);
+  const Planar<Interval>&slope = at.center_slope(), &center = at.center();
+  const Planar<Interval> o{held_.center().x - center.x, held_.center().y - center.y};
+  LegAt result{CosineSum::half_square(length_, moving.between_anchors, o, 0.0),
+               CosineSum::along({-slope.x, -slope.y}, length_, moving.between_anchors, o)};
+  result.equation.constant += Interval(-0.5) * square(at.rod(Turn<Interval>{1.0, 0.0}).x);
+  result.slope.constant += -at.half_square_slope();
+  return result;
+}
+
 CosineSum PlanarHeldSlice::held_slope(const MovingLeg& moving, const Planar<Interval>& o) const noexcept {
   const Planar<Interval>& m = moving.between_anchors;
   if (!held_is_strut_) return CosineSum::along(held_.center_slope(), length_, m, o);
   return held_.length_slope() * CosineSum::half_square_slope(length_, m, o);
+}
+
+std::optional<HeldSlice::RodOver> PlanarHeldSlice::rod_over(std::size_t i, int sign,
+                                                            const SlicePlace& at) const noexcept {
+  const PlanarLeg& leg = legs_[i].leg;
+  const Planar<Interval> d = displacement(legs_[i], at.over());
+  const Interval entry = sign == 0 ? Interval(0.0) : root_of(leg.form(d).squared_entry);
+  const auto points = leg.link_points(d, entry, sign);
+  if (!points) return std::nullopt;
+  return RodOver{{points->joint[0], points->joint[1], moving_leg(i).base_point().z()}, points->length};
 }
 
 Pose PlanarHeldSlice::pose(const std::array<double, 2>& at) const {
@@ -95,7 +117,7 @@ Pose PlanarHeldSlice::pose(const std::array<double, 2>& at) const {
 Verdict PlanarHeldSlice::leg_within_limits(std::size_t i, int sign, const SlicePlace& at) const noexcept {
   const PlanarLeg& leg = legs_[i].leg;
   const Planar<Interval> d = displacement(legs_[i], at.over());
-  return verdict(leg.limits(d, square_root(not_negative_part(leg.form(d).squared_entry)), sign));
+  return verdict(leg.limits(d, root_of(leg.form(d).squared_entry), sign));
 }
 
 Interval PlanarHeldSlice::held_entry(const SlicePlace& at) const noexcept {

@@ -2,6 +2,7 @@
 #include "aspects/cusps/spherical_held_slice.h"
 
 #include "legs/determinant.h"
+#include "legs/held_point.h"
 
 #include <variant>
 
@@ -18,10 +19,6 @@ Spatial<Interval> difference(const Spatial<Interval>& a, const Spatial<Interval>
 Interval narrowed(const Number& over, const Interval& center, const SliceCenter& middle) noexcept {
   return intersection(over.value,
                       center + over.gradient[0] * middle.offset(0) + over.gradient[1] * middle.offset(1));
-}
-
-Interval root_of(const Interval& squared_entry) noexcept {
-  return square_root(not_negative_part(squared_entry));
 }
 
 Spatial<Interval> opposite(const Spatial<Interval>& v) { return {-v[0], -v[1], -v[2]}; }
@@ -118,6 +115,26 @@ std::optional<HeldSlice::LegOver> SphericalHeldSlice::leg_over(std::size_t i, in
   const Interval root = root_of(reach.squared_entry);
   result.entry = sign > 0 ? root : -root;
   return result;
+}
+
+HeldSlice::LegAt SphericalHeldSlice::leg_at(std::size_t i, double q) const noexcept {
+  const MovingLeg& moving = legs_[i];
+  const HeldPoint at(moving_leg(i), q);
+  LegAt result{orientations_.along(opposite(at.c), moving.anchor),
+               orientations_.along(opposite(at.slope), moving.anchor)};
+  result.equation.constant +=
+      Interval(0.5) * (squared_norm(moving.anchor) + squared_norm(at.c) - at.squared_rod);
+  result.slope.constant += dot(at.c, at.slope) - at.rod_slope;
+  return result;
+}
+
+std::optional<HeldSlice::RodOver> SphericalHeldSlice::rod_over(std::size_t i, int sign,
+                                                               const SlicePlace& at) const noexcept {
+  const Reach reach = legs_[i].reach(at);
+  const Interval entry = sign == 0 ? Interval(0.0) : root_of(reach.squared_entry);
+  const auto points = legs_[i].leg.link_points(reach.range, entry, sign);
+  if (!points) return std::nullopt;
+  return RodOver{points->joint, points->length};
 }
 
 Verdict SphericalHeldSlice::leg_within_limits(std::size_t i, int sign, const SlicePlace& at) const noexcept {

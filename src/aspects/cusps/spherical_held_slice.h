@@ -23,6 +23,7 @@ class SphericalHeldSlice : public HeldSlice {
   SphericalHeldSlice(const Manipulator& manipulator, const HeldJoint& joint);
 
   std::optional<LegOver> leg_over(std::size_t i, int sign, const SlicePlace& at) const noexcept override;
+  LegAt leg_at(std::size_t i, double q) const noexcept override;
   Pose pose(const std::array<double, 2>& at) const override { return orientations_.pose(at); }
 
  private:
@@ -56,6 +57,7 @@ class SphericalHeldSlice : public HeldSlice {
     Spatial<Interval> joint_slope(const Spatial<Interval>& c) const noexcept;
   };
 
+  std::optional<RodOver> rod_over(std::size_t i, int sign, const SlicePlace& at) const noexcept override;
   Verdict leg_within_limits(std::size_t i, int sign, const SlicePlace& at) const noexcept override;
   Interval held_entry(const SlicePlace& at) const noexcept override;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/uniqueness/basic_regions.h"
 
-#include "aspects/uniqueness/solution_search.h"
+#include "aspects/solutions/solution_search.h"
 #include "interval/rounding.h"
 
 #include <algorithm>

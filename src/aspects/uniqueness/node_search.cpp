@@ -2,8 +2,8 @@
 #include "aspects/uniqueness/node_search.h"
 
 #include "aspects/cusps/injective_boxes.h"
-#include "aspects/cusps/krawczyk.h"
 #include "aspects/cusps/singular_images.h"
+#include "aspects/zeros/krawczyk.h"
 #include "interval/scalar_range.h"
 
 #include <Eigen/LU>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/uniqueness/solution_tracker.h"
 
-#include "aspects/cusps/krawczyk.h"
-#include "aspects/uniqueness/solution_search.h"
+#include "aspects/solutions/solution_search.h"
+#include "aspects/zeros/krawczyk.h"
 #include "interval/scalar_range.h"
 
 #include <algorithm>

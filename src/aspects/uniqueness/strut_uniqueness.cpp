@@ -4,12 +4,13 @@
 #include "aspects/cusps/cusp_search.h"
 #include "aspects/cusps/planar_held_slice.h"
 #include "aspects/cusps/singular_images.h"
+#include "aspects/solutions/strut_poses.h"
 #include "aspects/uniqueness/actuated_space.h"
 #include "aspects/uniqueness/basic_regions.h"
 #include "aspects/uniqueness/node_search.h"
+#include "aspects/uniqueness/number_table.h"
 #include "aspects/uniqueness/path_in_regions.h"
 #include "aspects/uniqueness/solution_regions.h"
-#include "aspects/uniqueness/strut_poses.h"
 #include "aspects/uniqueness/uniqueness_domains.h"
 #include "interval/rounding.h"
 #include "model/angles.h"
@@ -32,8 +33,6 @@ struct Division {
   std::size_t most_cells;
 };
 
-constexpr std::size_t default_most_cells = 250000;
-
 // Beside strips there are many sets that are tiny.
 Division division_for_numbers(const AspectMap& map, std::size_t most_cells) {
   if (map.slice()) return {1e-4, 0.0, most_cells};
@@ -44,9 +43,6 @@ Division division_for_numbers(const AspectMap& map, std::size_t most_cells) {
 Division division_for_regions(const AspectMap& map, std::size_t most_cells) {
   return {map.slice() ? 2e-3 : 1e-2, 1e-4, most_cells / 4};
 }
-
-// Sums of many measures are off by less.
-constexpr double rounded_up = 1.0 + 1e-9, rounded_down = 1.0 - 1e-9;
 
 StrutSlice struts_of(const AspectMap& map) {
   return map.slice() ? StrutSlice(*map.manipulator(), *map.slice()) : StrutSlice(*map.manipulator(), 0);
@@ -85,11 +81,9 @@ struct DividedNumbers : DividedStruts {
   }
 };
 
-/// The aspect that holds a pose; 0 where the map can not tell, or not from others.
+/// Of struts, which have one working mode.
 int aspect_at(const AspectMap& map, const Pose& pose) {
-  const int id = map.locate(pose, working_modes(*map.manipulator()).front()).aspect;
-  if (id == 0) return 0;
-  return map.aspects()[static_cast<std::size_t>(id - 1)].unresolved_with.empty() ? id : 0;
+  return aspect_at(map, pose, working_modes(*map.manipulator()).front());
 }
 
 /// With the basic regions.
@@ -150,15 +144,6 @@ BasicComponent component_of_set(const DividedNumbers& numbers, const SolutionSet
   return component;
 }
 
-void add_to_regions(const BasicComponent& component, std::vector<SolutionRegion>& regions) {
-  const std::size_t solutions = component.solutions.size();
-  auto region = std::find_if(regions.begin(), regions.end(),
-                             [&](const SolutionRegion& each) { return each.solutions == solutions; });
-  if (region == regions.end()) region = regions.insert(region, {solutions, 0.0, 0.0, 0.0});
-  region->measure += component.measure;
-  region->measure_lower += component.measure_lower;
-}
-
 void find_numbers(std::size_t most_cells, const MapControl& control, Uniqueness& result) {
   const auto numbers = divided<DividedNumbers>(result.map, most_cells, control);
   double unknown = numbers->space.unknown();
@@ -166,15 +151,10 @@ void find_numbers(std::size_t most_cells, const MapControl& control, Uniqueness&
     if (!set.solutions) unknown += set.measure;
     if (!set.solutions || set.solutions->empty()) continue;
     for (const PieceIndex piece : set.pieces) numbers->component_of[piece] = result.basic_components.size();
-    result.basic_components.push_back(component_of_set(*numbers, set));
-    add_to_regions(result.basic_components.back(), result.regions);
+    add_component(component_of_set(*numbers, set), result);
   }
   result.component_of = [numbers](const JointVector& q) { return numbers->component_at(q); };
-  result.measure_unknown = unknown * rounded_up;
-  for (SolutionRegion& region : result.regions)
-    region.measure_upper = (region.measure_lower + unknown) * rounded_up;
-  std::sort(result.regions.begin(), result.regions.end(),
-            [](const SolutionRegion& a, const SolutionRegion& b) { return a.solutions < b.solutions; });
+  set_unknown(unknown, result);
 }
 
 BasicRegion region_of(const DividedRegions& divided, const FoundRegion& found) {
@@ -234,9 +214,8 @@ void find_nodes(const std::vector<CuspBox>& cusps, const MapControl& control, Un
   });
 }
 
-void find_regions_of_struts(const UniquenessOptions& options, const MapControl& control, Uniqueness& result) {
-  const std::size_t most_cells = options.most_cells.value_or(default_most_cells);
-  result.has_regions = true;
+void find_regions_of_struts(std::size_t most_cells, const MapControl& control, Uniqueness& result) {
+  result.has_regions = result.has_domains = true;
   result.region_unit = result.map->slice() ? "m^2" : "m^3";
   find_numbers(most_cells, part_of(control, 0.0, 0.4), result);
   if (!is_cancelled(control)) find_domains(most_cells, part_of(control, 0.4, 1.0), result);

@@ -16,7 +16,7 @@ void find_nodes(const std::vector<CuspBox>& cusps, const MapControl& control, Un
 
 /// Of three struts, in the slice of the map, which holds one of them, or over all poses within limits: fills
 /// numbers of solutions, basic regions and uniqueness domains.
-void find_regions_of_struts(const UniquenessOptions& options, const MapControl& control, Uniqueness& result);
+void find_regions_of_struts(std::size_t most_cells, const MapControl& control, Uniqueness& result);
 
 }  // namespace parallel_aspects
 

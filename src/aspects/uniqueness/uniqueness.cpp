@@ -3,6 +3,7 @@
 
 #include "aspects/cusps/cusp_search.h"
 #include "aspects/cusps/held_slice.h"
+#include "aspects/uniqueness/solution_numbers.h"
 #include "aspects/uniqueness/strut_uniqueness.h"
 #include "aspects/uniqueness/uniqueness_problem.h"
 #include "model/angles.h"
@@ -88,6 +89,14 @@ class CuspsOfSlice {
   std::unique_ptr<const HeldSlice> slice_;
 };
 
+constexpr std::size_t default_most_cells = 250000;
+
+SolutionNumbers count(const Manipulator& manipulator, const HeldJoint& joint,
+                      const std::shared_ptr<const AspectMap>& map, const MapControl& control) {
+  if (has_elbows(manipulator)) return {};
+  return find_solution_numbers(manipulator, joint, map, control);
+}
+
 /// What robots of SE2 have in place of the theorem.
 void look_into(const Manipulator& manipulator, const UniquenessOptions& options, const MapControl& control,
                Uniqueness& result) {
@@ -99,10 +108,14 @@ void look_into(const Manipulator& manipulator, const UniquenessOptions& options,
     result.cusps_complete = cusps.complete;
     if (has_struts_alone(manipulator)) find_nodes(boxes.cusps, control, result);
   }
-  if (has_struts_alone(manipulator))
-    find_regions_of_struts(options, control, result);
-  else
+  const std::size_t most_cells = options.most_cells.value_or(default_most_cells);
+  if (has_struts_alone(manipulator)) {
+    find_regions_of_struts(most_cells, control, result);
+  } else {
     result.domains_complete = false;
+    static_cast<SolutionNumbers&>(result) =
+        count(manipulator, *result.map->slice()->joint, result.map, control);
+  }
 }
 
 /// By the theorem.
@@ -117,6 +130,11 @@ void take_whole_aspects(Uniqueness& result) {
 CuspList find_cusps(const Manipulator& manipulator, const HeldJoint& joint, const MapControl& control) {
   const CuspsOfSlice of(manipulator, joint);
   return of.list(of.boxes(control));
+}
+
+SolutionNumbers count_direct_solutions(const Manipulator& manipulator, const HeldJoint& joint,
+                                       const MapControl& control) {
+  return count(manipulator, joint, nullptr, control);
 }
 
 UniquenessResult compute_uniqueness(std::shared_ptr<const AspectMap> map, const UniquenessOptions& options,

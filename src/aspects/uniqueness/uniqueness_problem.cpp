@@ -93,6 +93,11 @@ bool has_struts_alone(const Manipulator& manipulator) noexcept {
                      [](const Leg& leg) { return leg.kind().type == LegType::strut; });
 }
 
+bool has_elbows(const Manipulator& manipulator) noexcept {
+  return std::any_of(manipulator.legs().begin(), manipulator.legs().end(),
+                     [](const Leg& leg) { return leg.kind().type == LegType::elbow; });
+}
+
 std::string find_held_range_problem(const Manipulator& manipulator, const HeldRange& range) {
   const std::string none = find_why_without_cusps(manipulator);
   if (!none.empty()) return none;

@@ -20,6 +20,9 @@ bool has_one_solution_a_sign(TaskSpace space) noexcept;
 /// Whether every leg is a strut.
 bool has_struts_alone(const Manipulator& manipulator) noexcept;
 
+/// Whether a leg has an actuated elbow.
+bool has_elbows(const Manipulator& manipulator) noexcept;
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_UNIQUENESS_PROBLEM_H

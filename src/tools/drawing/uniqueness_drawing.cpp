@@ -40,8 +40,7 @@ class UniquenessDrawing {
         mode_(uniqueness.map->working_modes().front()),
         plane_(plane_of(*uniqueness.map, std::optional<PlotSection>())),
         projection_(uniqueness.map),
-        segments_(
-            trace_slice(*uniqueness.map, mode_, plane_.slice, plane_.bounds, cells_of_curves).segments) {}
+        segments_(segments_of(mode_)) {}
 
   Picture draw() const {
     Page page;
@@ -54,10 +53,10 @@ class UniquenessDrawing {
         "a grid of " +
             std::to_string(cells_of_numbers) + " x " + std::to_string(cells_of_numbers) +
             ". On the left, edges between colours that are not singular are characteristic curves.",
-        "Dots: cusps" +
-            std::string(uniqueness_.cusps_complete ? ", proved to be all." : ", perhaps not all.") +
-            " Circles: nodes, with the two poses of each" +
-            std::string(uniqueness_.nodes_complete ? ", proved to be all." : ", perhaps not all.") +
+        "Dots: cusps" + words_for(uniqueness_.cusps_complete) +
+            (uniqueness_.has_domains
+                 ? " Circles: nodes, with the two poses of each" + words_for(uniqueness_.nodes_complete)
+                 : "") +
             " Curves are drawn for the eye."};
     page.figures = {{"", {}, {poses(), actuated_values()}}};
     page.legend = legend();
@@ -65,12 +64,17 @@ class UniquenessDrawing {
   }
 
  private:
+  static std::string words_for(bool complete) {
+    return complete ? ", proved to be all." : ", perhaps not all.";
+  }
+
   PanelContents poses() const {
     PanelContents panel;
-    panel.caption = "poses";
+    panel.caption = has_modes() ? "poses in working mode " + to_string(mode_) : "poses";
     panel.axes = plane_.axes;
     panel.shapes = numbers(plane_.bounds, [this](const Vector2d& at) {
-      return inverse(robot_, plane_.slice.pose(at), mode_).q;
+      const InverseSolution found = inverse(robot_, plane_.slice.pose(at), mode_);
+      return found ? found.q : JointVector();
     });
     panel.segments = segments_;
     const AnchorCircle circle = circle_of_anchor(robot_, *uniqueness_.map->slice()->joint);
@@ -80,7 +84,9 @@ class UniquenessDrawing {
       return Vector2d(std::atan2(rod.y(), rod.x()),
                       std::remainder(2.0 * std::atan2(turn.z(), turn.w()), 2.0 * pi));
     };
-    mark_cusps(panel, [&](const Cusp& cusp) { return place(cusp.pose); });
+    for (std::size_t i = 0; i < uniqueness_.cusps.size(); ++i)
+      if (uniqueness_.cusps[i].mode == mode_)
+        panel.marks.push_back({place(uniqueness_.cusps[i].pose), std::to_string(i + 1)});
     for (std::size_t i = 0; i < uniqueness_.nodes.size(); ++i)
       for (const Pose& pose : uniqueness_.nodes[i].poses) panel.marks.push_back(node_mark(place(pose), i));
     return panel;
@@ -98,12 +104,30 @@ class UniquenessDrawing {
     }
     panel.shapes =
         numbers({window.lower, window.upper}, [this](const Vector2d& at) { return actuated_at(at); });
-    panel.segments = projection_.images(segments_, mode_);
+    panel.segments = images();
     const auto place = [this](const JointVector& q) { return Vector2d(q[joint(0)], q[joint(1)]); };
-    mark_cusps(panel, [&](const Cusp& cusp) { return place(cusp.actuated); });
+    for (std::size_t i = 0; i < uniqueness_.cusps.size(); ++i)
+      panel.marks.push_back(
+          {projection_.window().wrapped(place(uniqueness_.cusps[i].actuated)), std::to_string(i + 1)});
     for (std::size_t i = 0; i < uniqueness_.nodes.size(); ++i)
       panel.marks.push_back(node_mark(place(uniqueness_.nodes[i].actuated), i));
     return panel;
+  }
+
+  bool has_modes() const { return uniqueness_.map->working_modes().size() > 1; }
+
+  std::vector<BoundarySegment> segments_of(const WorkingMode& mode) const {
+    return trace_slice(*uniqueness_.map, mode, plane_.slice, plane_.bounds, cells_of_curves).segments;
+  }
+
+  /// Of the curves of all working modes.
+  std::vector<BoundarySegment> images() const {
+    std::vector<BoundarySegment> result;
+    for (const WorkingMode& mode : uniqueness_.map->working_modes()) {
+      const auto more = projection_.images(mode == mode_ ? segments_ : segments_of(mode), mode);
+      result.insert(result.end(), more.begin(), more.end());
+    }
+    return result;
   }
 
   Eigen::Index joint(std::size_t axis) const { return static_cast<Eigen::Index>(projection_.legs()[axis]); }
@@ -144,17 +168,12 @@ class UniquenessDrawing {
     return {at, node < 26 ? std::string(1, static_cast<char>('a' + node)) : "", true};
   }
 
-  void mark_cusps(PanelContents& panel, const std::function<Vector2d(const Cusp&)>& place) const {
-    for (std::size_t i = 0; i < uniqueness_.cusps.size(); ++i)
-      panel.marks.push_back({place(uniqueness_.cusps[i]), std::to_string(i + 1)});
-  }
-
   std::vector<LegendEntry> legend() const {
     std::vector<LegendEntry> entries;
     for (const SolutionRegion& region : uniqueness_.regions)
-      entries.push_back(
-          {solutions_color(region.solutions), false,
-           counted(region.solutions, "solution") + ", " + number_text(region.measure, 4) + " m^2"});
+      entries.push_back({solutions_color(region.solutions), false,
+                         counted(region.solutions, "solution") + ", " + number_text(region.measure, 4) + " " +
+                             uniqueness_.region_unit});
     std::set<BoundaryKind> kinds;
     for (const BoundarySegment& segment : segments_) kinds.insert(segment.kind);
     for (const auto& [kind, words] : boundary_words())

@@ -6,6 +6,7 @@
 #include "tools/report/slice_report.h"
 #include "tools/report/text_table.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -63,6 +64,17 @@ json json_basic_component(const Manipulator& robot, const BasicComponent& compon
           {"measure", component.measure},
           {"measure_lower", component.measure_lower},
           {"unit", unit}};
+}
+
+json json_numbers_of_solutions(const Manipulator& robot, const SolutionNumbers& numbers) {
+  json object = {{"regions", json::array()},
+                 {"measure_unknown", numbers.has_regions ? json(numbers.measure_unknown) : json()},
+                 {"basic_components", json::array()}};
+  for (const SolutionRegion& region : numbers.regions)
+    object["regions"].push_back(json_region(region, numbers.region_unit));
+  for (const BasicComponent& component : numbers.basic_components)
+    object["basic_components"].push_back(json_basic_component(robot, component, numbers.region_unit));
+  return object;
 }
 
 /// Index of the basic component that a basic region lies over; nothing where that is not proved.
@@ -149,7 +161,7 @@ std::string cusps_text(const Uniqueness& uniqueness) {
 }
 
 std::string nodes_text(const Uniqueness& uniqueness) {
-  if (!uniqueness.has_regions || !uniqueness.map->slice()) return "";
+  if (!uniqueness.has_domains || !uniqueness.map->slice()) return "";
   const Manipulator& robot = *uniqueness.map->manipulator();
   std::string text = "\n" + counted(uniqueness.nodes.size(), "node") +
                      ", where two pairs of solutions meet, " +
@@ -167,7 +179,7 @@ std::string nodes_text(const Uniqueness& uniqueness) {
   return text + table.text();
 }
 
-std::string regions_text(const Uniqueness& uniqueness) {
+std::string regions_text(const SolutionNumbers& uniqueness) {
   if (!uniqueness.has_regions) return "";
   const std::string& unit = uniqueness.region_unit;
   TextTable table({">solutions", ">measure [" + unit + "]", ">at least", ">at most"});
@@ -194,8 +206,13 @@ std::string solutions_by_aspect(const BasicComponent& component) {
 // regions.
 constexpr double least_share = 1e-4;
 
+// Where no basic regions refer to them.
+constexpr std::size_t most_sets = 12;
+
 /// They are sorted: which of them are listed.
-std::size_t listed_components(const std::vector<BasicComponent>& components) {
+std::size_t listed_components(const Uniqueness& uniqueness) {
+  const auto& components = uniqueness.basic_components;
+  if (!uniqueness.has_domains) return std::min(components.size(), most_sets);
   double all = 0.0;
   for (const BasicComponent& each : components) all += each.measure;
   std::size_t listed = 0;
@@ -211,7 +228,7 @@ std::string basic_components_text(const Uniqueness& uniqueness) {
                                   ">measure [" + unit + "]"};
   for (std::string& title : joint_titles(*uniqueness.map->manipulator())) titles.push_back(std::move(title));
   TextTable table(titles);
-  const std::size_t listed = listed_components(components);
+  const std::size_t listed = listed_components(uniqueness);
   for (std::size_t i = 0; i < listed; ++i) {
     std::vector<std::string> cells{std::to_string(i + 1), std::to_string(components[i].solutions.size()),
                                    solutions_by_aspect(components[i]), shown_briefly(components[i].measure)};
@@ -228,7 +245,7 @@ std::string basic_components_text(const Uniqueness& uniqueness) {
 
 /// What lies over each connected set of actuated values.
 std::string basic_regions_text(const Uniqueness& uniqueness) {
-  if (!uniqueness.has_regions) return "";
+  if (!uniqueness.has_domains) return "";
   TextTable table({">basic region", part_name(*uniqueness.map, ">"), ">over set",
                    ">actuated values [" + uniqueness.region_unit + "], at least", "unique", "a pose of it",
                    ">domains"});
@@ -252,7 +269,7 @@ std::string regions_of_domain(const UniquenessDomain& domain) {
 }
 
 std::string domains_text(const Uniqueness& uniqueness) {
-  if (!uniqueness.has_regions) return "";
+  if (!uniqueness.has_domains) return "";
   TextTable table({">domain", part_name(*uniqueness.map, ">"), ">basic regions",
                    ">actuated values [" + uniqueness.region_unit + "], at least"});
   for (std::size_t i = 0; i < uniqueness.domains.size(); ++i) {
@@ -280,7 +297,6 @@ std::string headline(const Uniqueness& uniqueness) {
 
 Report report_uniqueness(const Uniqueness& uniqueness) {
   const AspectMap& map = *uniqueness.map;
-  const std::string& unit = uniqueness.region_unit;
   json object = {{"mechanism", map.manipulator()->name()},
                  {"task_space", std::string(name(map.manipulator()->task_space()))},
                  {"slice", json_slice(map.slice())},
@@ -290,9 +306,6 @@ Report report_uniqueness(const Uniqueness& uniqueness) {
                  {"cusps_complete", uniqueness.cusps_complete},
                  {"nodes", json::array()},
                  {"nodes_complete", uniqueness.nodes_complete},
-                 {"regions", json::array()},
-                 {"measure_unknown", uniqueness.has_regions ? json(uniqueness.measure_unknown) : json()},
-                 {"basic_components", json::array()},
                  {"basic_regions", json::array()},
                  {"uniqueness_domains_complete", uniqueness.domains_complete},
                  {"uniqueness_domains", json::array()}};
@@ -300,14 +313,11 @@ Report report_uniqueness(const Uniqueness& uniqueness) {
   for (const Cusp& cusp : uniqueness.cusps) object["cusps"].push_back(json_cusp(*map.manipulator(), cusp));
   for (const SolutionNode& node : uniqueness.nodes)
     object["nodes"].push_back(json_node(*map.manipulator(), node));
-  for (const SolutionRegion& region : uniqueness.regions)
-    object["regions"].push_back(json_region(region, unit));
-  for (const BasicComponent& component : uniqueness.basic_components)
-    object["basic_components"].push_back(json_basic_component(*map.manipulator(), component, unit));
+  object.update(json_numbers_of_solutions(*map.manipulator(), uniqueness));
   for (const BasicRegion& region : uniqueness.basic_regions)
     object["basic_regions"].push_back(json_basic_region(uniqueness, region));
   for (const UniquenessDomain& domain : uniqueness.domains)
-    object["uniqueness_domains"].push_back(json_domain(domain, unit));
+    object["uniqueness_domains"].push_back(json_domain(domain, uniqueness.region_unit));
   const Report constraints = report_constraints(*map.manipulator());
   object.update(constraints.json);
   return {object, headline(uniqueness) + '\n' + components_text(map) + '\n' + cusps_text(uniqueness) +
@@ -315,7 +325,8 @@ Report report_uniqueness(const Uniqueness& uniqueness) {
                       basic_regions_text(uniqueness) + domains_text(uniqueness) + '\n' + constraints.text};
 }
 
-Report report_cusps(const Manipulator& robot, const HeldJoint& held, const CuspList& found) {
+Report report_cusps(const Manipulator& robot, const HeldJoint& held, const CuspList& found,
+                    const SolutionNumbers& numbers) {
   const Leg& leg = robot.leg(held.leg);
   json object = {{"mechanism", robot.name()},
                  {"task_space", std::string(name(robot.task_space()))},
@@ -324,6 +335,7 @@ Report report_cusps(const Manipulator& robot, const HeldJoint& held, const CuspL
                  {"cusps_complete", found.complete},
                  {"undecided_curves", found.leaves_curves}};
   for (const Cusp& cusp : found.cusps) object["cusps"].push_back(json_cusp(robot, cusp));
+  object.update(json_numbers_of_solutions(robot, numbers));
   const Report constraints = report_constraints(robot);
   object.update(constraints.json);
   const std::string why =
@@ -332,9 +344,8 @@ Report report_cusps(const Manipulator& robot, const HeldJoint& held, const CuspL
             "joints stand.\n"
           : "";
   return {object, robot.name() + ", " + leg.actuated_joint + " = " + number_text(held.value) + " " +
-                      joint_unit(leg) + ": cusps alone, since regions of actuated values are not found in " +
-                      std::string(name(robot.task_space())) + "\n\n" +
-                      cusps_text(robot, found.cusps, found.complete) + why + '\n' + constraints.text};
+                      joint_unit(leg) + "\n\n" + cusps_text(robot, found.cusps, found.complete) + why +
+                      regions_text(numbers) + '\n' + constraints.text};
 }
 
 }  // namespace parallel_aspects::tools

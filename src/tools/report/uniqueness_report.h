@@ -10,8 +10,9 @@ namespace parallel_aspects::tools {
 /// `aspects uniqueness`: aspects, cusps and uniqueness domains.
 Report report_uniqueness(const Uniqueness& uniqueness);
 
-/// The same of a slice of SO3: cusps alone.
-Report report_cusps(const Manipulator& robot, const HeldJoint& held, const CuspList& found);
+/// The same of a slice of SO3: cusps, and numbers of direct solutions.
+Report report_cusps(const Manipulator& robot, const HeldJoint& held, const CuspList& found,
+                    const SolutionNumbers& numbers);
 
 /// `aspects uniqueness --cusps-over`: curves of cusps.
 Report report_cusp_curves(const Manipulator& robot, const CuspCurves& found);

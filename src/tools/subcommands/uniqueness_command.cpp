@@ -67,7 +67,8 @@ bool is_surveyed(const Manipulator& robot) {
 /// In SO3 with a joint held.
 Report report_of_cusps(const UniquenessArguments& arguments, const Manipulator& robot, Problems problems,
                        const Surroundings& surroundings) {
-  const std::string before = "In SO3 --slice lists cusps alone; leave ", after = " or it out.";
+  const std::string before = "In SO3 --slice lists cusps and numbers of direct solutions alone; leave ",
+                    after = " or it out.";
   refuse({{"--cusps-over", arguments.cusps_over},
           {"--resolution", arguments.resolution},
           {"--picture", arguments.picture}},
@@ -76,9 +77,10 @@ Report report_of_cusps(const UniquenessArguments& arguments, const Manipulator& 
   const HeldJoint held = parse_held_joint("--slice", robot, arguments.slice, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const ShownComputation shown(surroundings);
-  const CuspList found = find_cusps(robot, held, shown.control());
+  const CuspList found = find_cusps(robot, held, part_of(shown.control(), 0.0, 0.4));
+  const SolutionNumbers numbers = count_direct_solutions(robot, held, part_of(shown.control(), 0.4, 1.0));
   shown.require_complete();
-  return report_cusps(robot, held, found);
+  return report_cusps(robot, held, found, numbers);
 }
 
 Report report_of_survey(const UniquenessArguments& arguments, const std::shared_ptr<const Manipulator>& robot,
@@ -126,12 +128,12 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
     options.slice = parse_slice("--slice", *manipulator, arguments.slice, problems);
   if (!arguments.resolution.empty())
     options.resolution = parse_positive("--resolution", arguments.resolution, problems);
-  const bool has_numbers = manipulator->task_space() == TaskSpace::SE2 && has_struts_alone(*manipulator);
+  const bool has_numbers = manipulator->task_space() == TaskSpace::SE2 && !has_elbows(*manipulator);
   if (!arguments.picture.empty() && !(has_numbers && options.slice))
-    problems.push_back(
-        "--picture shows numbers of direct solutions in slices of robots with three struts; " +
-        (has_numbers ? "give one with --slice, or leave it out."
-                     : "'" + manipulator->name() + "' is none. Leave it out, `plot` draws its aspects."));
+    problems.push_back("--picture shows numbers of direct solutions in slices of SE2; " +
+                       (has_numbers ? "give one with --slice, or leave it out."
+                                    : "of '" + manipulator->name() +
+                                          "' there are none. Leave it out, `plot` draws its aspects."));
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const auto result = completed(surroundings, [&](const MapControl& control) {
     return compute_uniqueness(manipulator, options, control);
@@ -145,11 +147,11 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
 Subcommand uniqueness_subcommand() {
   const auto arguments = std::make_shared<UniquenessArguments>();
   std::vector<Option> options = robot_options(arguments->robot);
-  options.push_back(
-      {"--slice", "\"strut_1_joint=15\"",
-       "In SE2 and SO3: the actuated joint that is held, with its value [m or rad], in SO3 for cusps alone; "
-       "without it, in SE2, all poses, of three struts within limits",
-       &arguments->slice});
+  options.push_back({"--slice", "\"strut_1_joint=15\"",
+                     "In SE2 and SO3: the actuated joint that is held, with its value [m or rad], in SO3 for "
+                     "cusps and numbers of solutions; "
+                     "without it, in SE2, all poses, of three struts within limits",
+                     &arguments->slice});
   options.push_back(
       {"--cusps-over", "\"strut_1_joint=10:32\"",
        "In SE2: the curves that cusps form while this actuated joint is held at each value of the "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/cusps/krawczyk.h"
+#include "aspects/zeros/krawczyk.h"
 
 #include "interval/half_turns.h"
 #include "interval/scalar_range.h"

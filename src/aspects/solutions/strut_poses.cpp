@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/strut_poses.h"
+#include "aspects/solutions/strut_poses.h"
 
 #include "model/angles.h"
 #include "parallel_aspects/kinematics/inverse.h"

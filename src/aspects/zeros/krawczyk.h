@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_CUSPS_KRAWCZYK_H
-#define PARALLEL_ASPECTS_ASPECTS_CUSPS_KRAWCZYK_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_ZEROS_KRAWCZYK_H
+#define PARALLEL_ASPECTS_ASPECTS_ZEROS_KRAWCZYK_H
 
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/box.h"
@@ -60,4 +60,4 @@ bool meet_up_to_turns(const Box& a, const Box& b) noexcept;
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_CUSPS_KRAWCZYK_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_ZEROS_KRAWCZYK_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_STRUT_POSES_H
-#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_STRUT_POSES_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_STRUT_POSES_H
+#define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_STRUT_POSES_H
 
 #include "aspects/cusps/strut_slice.h"
 #include "parallel_aspects/aspects/box.h"
@@ -47,4 +47,4 @@ class StrutPoses {
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_STRUT_POSES_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_STRUT_POSES_H

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_SOLUTION_SEARCH_H
-#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_SOLUTION_SEARCH_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_SOLUTION_SEARCH_H
+#define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_SOLUTION_SEARCH_H
 
-#include "aspects/cusps/krawczyk.h"
 #include "aspects/cusps/strut_slice.h"
+#include "aspects/zeros/krawczyk.h"
 #include "parallel_aspects/aspects/box.h"
 
 #include <array>
@@ -28,4 +28,4 @@ std::optional<std::vector<Box>> find_all_solutions(const StrutSlice& slice, cons
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_SOLUTION_SEARCH_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_SOLUTION_SEARCH_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/solution_search.h"
+#include "aspects/solutions/solution_search.h"
+
+#include "aspects/zeros/known_zeros.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -25,15 +27,11 @@ class SolutionSearch {
       if (effort > largest_search || !examine(box)) return std::nullopt;
     }
     std::vector<Box> result;
-    for (const Known& each : known_) result.push_back(without_turns(each.enclosure));
+    for (const KnownZero& each : known_.all()) result.push_back(without_turns(each.enclosure));
     return result;
   }
 
  private:
-  struct Known {
-    Box unique, enclosure;
-  };
-
   bool may_hold_solution(const Box& box, const PairOverBox& pair) const {
     const SliceCenter middle(box);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -46,8 +44,7 @@ class SolutionSearch {
 
   /// False where the box is too small to be divided.
   bool examine(const Box& box) {
-    for (const Known& each : known_)
-      if (contains_up_to_turns(each.unique, box)) return true;
+    if (known_.cover(box)) return true;
     const PairOverBox pair = pair_over(slice_, box, values_);
     if (!may_hold_solution(box, pair)) return true;
     const double width = std::max(box.width(0), box.width(1));
@@ -59,20 +56,13 @@ class SolutionSearch {
   bool is_settled(const Box& box) {
     const ZeroSearch found = krawczyk_test(box, pair_over(slice_, box, values_));
     if (found.zeros != Zeros::one) return found.zeros == Zeros::none;
-    const Box enclosure = contracted(slice_, found.enclosure, values_, solution_contractions);
-    for (const Known& each : known_) {
-      if (contains_up_to_turns(each.unique, enclosure) || contains_up_to_turns(box, each.enclosure))
-        return true;
-      if (meet_up_to_turns(enclosure, each.enclosure)) return false;
-    }
-    known_.push_back({box, enclosure});
-    return true;
+    return known_.note({box, contracted(slice_, found.enclosure, values_, solution_contractions)});
   }
 
   const StrutSlice& slice_;
   std::array<Interval, 2> values_;
   std::vector<Box> boxes_;
-  std::vector<Known> known_;
+  KnownZeros known_;
 };
 
 }  // namespace

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_JOINT_RANGES_H
+#define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_JOINT_RANGES_H
+
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/model/manipulator.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace parallel_aspects {
+
+/// The values of both joints that move while the third is held: within limits, each angle once, and of
+/// lengths no more than the platform can reach.
+class JointRanges {
+ public:
+  JointRanges(const Manipulator& manipulator, const HeldJoint& held);
+
+  /// Coordinates are joints, in order [m or rad].
+  const Box& values() const noexcept { return values_; }
+
+  const std::array<bool, 2>& are_angles() const noexcept { return are_angles_; }
+
+  /// Whether all angles are values of the joint, so that the last are the first.
+  const std::array<bool, 2>& are_periodic() const noexcept { return are_periodic_; }
+
+  /// "rad^2", "m^2" or "m rad".
+  std::string unit() const;
+
+  /// Both values of all actuated joints, angles moved by whole turns to where they are in the range if they
+  /// can be.
+  std::array<double, 2> values_of(const JointVector& actuated) const noexcept;
+
+  /// All actuated joints, with that which is held.
+  JointVector actuated(const std::array<double, 2>& values) const;
+
+ private:
+  HeldJoint held_;
+  std::array<std::size_t, 2> legs_{};
+  std::array<bool, 2> are_angles_{}, are_periodic_{};
+  Box values_{2, {}, {}};
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_JOINT_RANGES_H
