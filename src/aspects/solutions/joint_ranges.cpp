@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
-#include <utility>
-#include <variant>
+#include <optional>
 
 namespace parallel_aspects {
 namespace {
@@ -16,57 +14,48 @@ namespace {
 // More than 2 pi, by a rounding, so that no angle is left out.
 constexpr double full_turn = 2.0 * pi * (1.0 + 4.0 * std::numeric_limits<double>::epsilon());
 
-/// Values that a joint can have where the anchor is at most this far from the base point of its leg.
-class ReachableRange {
- public:
-  ReachableRange(const Leg& leg, double reach) : leg_(leg), reach_(reach) {
-    std::visit([this](const auto& actuation) { set(actuation); }, leg.actuation);
+bool has_all_angles(const Leg& leg) {
+  return leg.actuated_by_angle() && !(leg.limits.upper - leg.limits.lower < full_turn);
+}
+
+/// All lengths of a joint in the slice, by boxes that are small enough for ranges to be little larger.
+Interval lengths_over(const HeldSlice& slice, std::size_t i, const Leg& leg) {
+  constexpr int boxes = 32;
+  constexpr double width = 2.0 / boxes;
+  double least = HUGE_VAL, greatest = -HUGE_VAL;
+  for (int n = 0; n < boxes * boxes; ++n) {
+    const double a = -1.0 + width * (n / boxes), phi = -1.0 + width * (n % boxes);
+    const SlicePlace place = slice.place({2, {a, phi, 0.0}, {a + width, phi + width, 0.0}});
+    for (const int sign : {-1, 1}) {
+      const auto value = leg.has_branch(sign) ? slice.joint_value(i, sign, place) : std::nullopt;
+      if (!value) continue;
+      least = std::min(least, value->lower());
+      greatest = std::max(greatest, value->upper());
+    }
   }
+  return {least, greatest};
+}
 
-  bool has_all_angles() const {
-    return leg_.actuated_by_angle() && !(leg_.limits.upper - leg_.limits.lower < full_turn);
-  }
-
-  std::pair<double, double> within_limits() const {
-    if (has_all_angles()) return {-0.5 * full_turn, 0.5 * full_turn};
-    return {std::max(leg_.limits.lower, least_), std::max(least_, std::min(leg_.limits.upper, greatest_))};
-  }
-
- private:
-  void set(const RevoluteActuation&) {}
-  void set(const ElbowActuation&) {}
-
-  void set(const PrismaticActuation&) {
-    least_ = -(reach_ + leg_.rod_length);
-    greatest_ = reach_ + leg_.rod_length;
-  }
-
-  void set(const StrutActuation& strut) {
-    const double shortest = -strut.sense * strut.length_at_zero;
-    least_ = strut.sense > 0.0 ? shortest : shortest - reach_;
-    greatest_ = strut.sense > 0.0 ? shortest + reach_ : shortest;
-  }
-
-  const Leg& leg_;
-  double reach_, least_ = -HUGE_VAL, greatest_ = HUGE_VAL;
-};
+/// Within limits.
+Interval range_of_joint(const HeldSlice& slice, std::size_t i, const Leg& leg) {
+  if (has_all_angles(leg)) return {-0.5 * full_turn, 0.5 * full_turn};
+  if (leg.actuated_by_angle()) return {leg.limits.lower, leg.limits.upper};
+  const Interval lengths = lengths_over(slice, i, leg);
+  const double least = std::max(leg.limits.lower, lengths.lower());
+  return {least, std::max(least, std::min(leg.limits.upper, lengths.upper()))};
+}
 
 }  // namespace
 
-JointRanges::JointRanges(const Manipulator& manipulator, const HeldJoint& held) : held_(held) {
-  const Leg& fixed = manipulator.leg(held.leg);
-  const Eigen::Vector3d c = fixed.proximal_point(held.value);
-  const double rod = std::sqrt(fixed.squared_distance(held.value));
-  for (std::size_t i = 0, j = 0; j < manipulator.leg_count(); ++j) {
-    if (j == held.leg) continue;
-    const Leg& leg = manipulator.leg(j);
-    const double reach = (leg.anchor - fixed.anchor).norm() + rod + (c - leg.base_point()).norm();
-    legs_[i] = j;
+JointRanges::JointRanges(const Manipulator& manipulator, const HeldJoint& held, const HeldSlice& slice)
+    : held_(held), legs_{slice.leg(0), slice.leg(1)} {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Leg& leg = manipulator.leg(legs_[i]);
+    const Interval range = range_of_joint(slice, i, leg);
+    values_.lower[i] = range.lower();
+    values_.upper[i] = range.upper();
     are_angles_[i] = leg.actuated_by_angle();
-    const ReachableRange range(leg, (1.0 + 1e-9) * reach);
-    std::tie(values_.lower[i], values_.upper[i]) = range.within_limits();
-    are_periodic_[i] = range.has_all_angles();
-    ++i;
+    are_periodic_[i] = has_all_angles(leg);
   }
 }
 

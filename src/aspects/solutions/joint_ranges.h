@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_JOINT_RANGES_H
 #define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_JOINT_RANGES_H
 
+#include "aspects/cusps/held_slice.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
@@ -13,10 +14,11 @@
 namespace parallel_aspects {
 
 /// The values of both joints that move while the third is held: within limits, each angle once, and of
-/// lengths no more than the platform can reach.
+/// lengths no more than the slice has.
 class JointRanges {
  public:
-  JointRanges(const Manipulator& manipulator, const HeldJoint& held);
+  /// Needs a live `RoundingUpward`.
+  JointRanges(const Manipulator& manipulator, const HeldJoint& held, const HeldSlice& slice);
 
   /// Coordinates are joints, in order [m or rad].
   const Box& values() const noexcept { return values_; }

@@ -44,8 +44,8 @@ class NumberedGrid {
                const MapControl& control)
       : map_(std::move(map)),
         held_(held),
-        ranges_(manipulator, held_),
         slice_(make_held_slice(manipulator, held_)),
+        ranges_(manipulator, held_, *slice_),
         grid_(ranges_, cells_an_axis(manipulator)) {
     const std::array<double, 2> steps = grid_.steps();
     const double step = std::min(steps[0], steps[1]);
@@ -105,8 +105,8 @@ class NumberedGrid {
 
   std::shared_ptr<const AspectMap> map_;
   HeldJoint held_;
-  JointRanges ranges_;
   std::unique_ptr<const HeldSlice> slice_;
+  JointRanges ranges_;
   ValueGrid grid_;
   std::vector<CountedSet> sets_;
 };

@@ -17,6 +17,7 @@
 #include "support/robots.h"
 #include "support/shipped.h"
 #include "support/slices.h"
+#include "support/thoroughness.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,13 +40,23 @@ using Values = std::array<double, 2>;
 struct Held {
   Robot robot;
   HeldJoint joint;
-  JointRanges ranges;
   std::unique_ptr<const HeldSlice> slice;
+  JointRanges ranges;
 
   Held(const Robot& of, std::size_t leg, double value)
-      : robot(of), joint{leg, value, of->leg(leg).actuated_by_angle()}, ranges(*robot, joint) {
+      : robot(of),
+        joint{leg, value, of->leg(leg).actuated_by_angle()},
+        slice(slice_of(*robot, joint)),
+        ranges(ranges_of(*robot, joint, *slice)) {}
+
+  static std::unique_ptr<const HeldSlice> slice_of(const Manipulator& robot, const HeldJoint& joint) {
     const RoundingUpward rounding;
-    slice = make_held_slice(*robot, joint);
+    return make_held_slice(robot, joint);
+  }
+
+  static JointRanges ranges_of(const Manipulator& robot, const HeldJoint& joint, const HeldSlice& slice) {
+    const RoundingUpward rounding;
+    return {robot, joint, slice};
   }
 
   std::string text(const Values& at) const {
@@ -195,8 +206,8 @@ std::optional<Values> random_singular_point(const Held& held, const SlicePosture
 TEST_P(SlicesIn, HaveNoImageOfASingularPoseInASet) {
   test::RandomRobots random(14);
   int found = 0;
-  for (const Held& held : held_robots(GetParam(), random, 3)) {
-    ValueGrid grid(held.ranges, 256);
+  for (const Held& held : held_robots(GetParam(), random, test::is_sanitized ? 1 : 2)) {
+    ValueGrid grid(held.ranges, 128);
     {
       const RoundingUpward rounding;
       const double step = std::min(grid.steps()[0], grid.steps()[1]);
@@ -214,7 +225,7 @@ TEST_P(SlicesIn, HaveNoImageOfASingularPoseInASet) {
         ++found;
       }
   }
-  EXPECT_GT(found, 1000);
+  EXPECT_GT(found, test::is_sanitized ? 100 : 500);
 }
 
 std::shared_ptr<const Uniqueness> uniqueness_of(const Robot& robot, std::size_t leg, double value) {
@@ -240,6 +251,7 @@ std::map<int, int> numbers_by_aspect(const Uniqueness& found, const JointVector&
 
 struct Comparison {
   std::size_t compared = 0, by_aspect = 0;
+  std::size_t unlisted = 0;                  // with solutions, but in no component
   std::map<std::size_t, std::size_t> drawn;  // by number of solutions
 };
 
@@ -253,6 +265,7 @@ Comparison compare_with_direct(const Robot& robot, const Held& held, const Uniqu
     if (!solutions) continue;
     ++result.drawn[solutions.solutions.size()];
     const auto component = found.component_of(q);
+    if (!component && !solutions.solutions.empty()) ++result.unlisted;
     if (!component) continue;
     const BasicComponent& listed = found.basic_components[*component];
     EXPECT_EQ(listed.solutions.size(), solutions.solutions.size()) << held.text(values);
@@ -267,9 +280,12 @@ Comparison compare_with_direct(const Robot& robot, const Held& held, const Uniqu
   return result;
 }
 
-// Within five standard deviations of what is drawn.
+// Within five standard deviations of what is drawn. So is what has solutions, but no number that is proved.
 void expect_measures(const Held& held, const Uniqueness& found, const Comparison& comparison, int samples) {
   const double whole = held.ranges.values().measure();
+  const double unlisted = static_cast<double>(comparison.unlisted) / samples;
+  EXPECT_LE(whole * (unlisted - 5.0 * std::sqrt(std::max(unlisted, 1.0 / samples) / samples)),
+            found.measure_unknown);
   for (const SolutionRegion& region : found.regions) {
     const auto drawn = comparison.drawn.find(region.solutions);
     const double share = drawn == comparison.drawn.end() ? 0.0 : static_cast<double>(drawn->second) / samples;
@@ -294,7 +310,7 @@ void expect_numbers_of_direct_problem(const Robot& robot, std::size_t leg, doubl
 TEST(SolutionNumbers, AreThoseOfTheDirectProblemInEachAspect) {
   const Robot three_rrr = test::three_rrr()->with_constraints({});
   expect_numbers_of_direct_problem(three_rrr, 0, 0.3, 20000);
-  expect_numbers_of_direct_problem(three_rrr, 1, 1.7, 20000);
+  if (!test::is_sanitized) expect_numbers_of_direct_problem(three_rrr, 1, 1.7, 20000);
   expect_numbers_of_direct_problem(test::shipped("three_prr")->manipulator()->with_constraints({}), 2, 0.3,
                                    20000);
 }
@@ -309,6 +325,7 @@ TEST(SolutionNumbers, AreThoseOfOtherRobots) {
 
 // There without aspects.
 TEST(SolutionNumbers, AreThoseOfTheDirectProblemInSO3) {
+  if (test::is_sanitized) GTEST_SKIP() << "takes minutes, and runs what the others do";
   const Robot robot = test::spherical_three_rrr();
   const Held held(robot, 0, 0.3);
   const SolutionNumbers found = count_direct_solutions(*robot, held.joint);
