@@ -21,8 +21,9 @@ constexpr double max_boxes_to_count = 65536.0;
 // empty.
 constexpr std::size_t max_leaves_to_count = 60000;
 
-// Of both where a robot has six legs, of which a box takes some twenty times as long.
-constexpr double share_with_six_legs = 1.0 / 16.0;
+// With six legs a box takes some twenty times as long, and there are no more than these. How many leaves a
+// map has within limits tells little then: of slices that turn it is up to a thousandth of those without.
+constexpr double max_boxes_with_six_legs = 4096.0;
 
 // Of unit quaternions: four charts, each from -1 to 1 in three coordinates.
 constexpr double charts = 4.0, width_of_chart = 2.0;
@@ -37,13 +38,12 @@ double smallest_boxes(const AspectMap& map) {
 }
 
 bool is_cheap(const AspectMap& map) {
+  if (map.manipulator()->leg_count() == max_legs) return smallest_boxes(map) <= max_boxes_with_six_legs;
+  if (smallest_boxes(map) <= max_boxes_to_count) return true;
   std::size_t leaves = 0;
   for (const Aspect& aspect : map.aspects()) leaves += aspect.inside_leaves;
-  const double share = map.manipulator()->leg_count() == max_legs ? share_with_six_legs : 1.0;
-  if (smallest_boxes(map) <= share * max_boxes_to_count) return true;
   const std::size_t all_modes = working_modes(*map.manipulator()).size(), modes = map.working_modes().size();
-  return modes > 0 &&
-         static_cast<double>(leaves * all_modes) <= share * static_cast<double>(max_leaves_to_count * modes);
+  return modes > 0 && leaves * all_modes <= max_leaves_to_count * modes;
 }
 
 ConstraintKinds limits_of_joints(const Manipulator& manipulator) {
