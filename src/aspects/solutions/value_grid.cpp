@@ -77,13 +77,17 @@ void ValueGrid::mark_column(std::ptrdiff_t x, std::array<std::ptrdiff_t, 2> rows
 }
 
 void ValueGrid::join(std::size_t least_cells) {
-  std::vector<Index> start;
   for (Index cell = 0; cell < set_.size(); ++cell) {
     if (set_[cell] != in_no_set) continue;
-    start.push_back(cell);
     sets_.emplace_back();
     fill(cell, static_cast<Index>(sets_.size() - 1));
   }
+  sort_sets(least_cells);
+  find_insides();
+  share_marked();
+}
+
+void ValueGrid::sort_sets(std::size_t least_cells) {
   std::vector<Index> order(sets_.size()), place(sets_.size(), in_no_set);
   std::iota(order.begin(), order.end(), Index{0});
   std::stable_sort(order.begin(), order.end(),
@@ -97,8 +101,6 @@ void ValueGrid::join(std::size_t least_cells) {
   sets_ = std::move(kept);
   for (Index& set : set_)
     if (set < place.size()) set = place[set];
-  find_insides();
-  share_marked();
 }
 
 void ValueGrid::fill(Index start, Index set) {

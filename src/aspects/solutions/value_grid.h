@@ -56,6 +56,7 @@ class ValueGrid {
   void mark_column(std::ptrdiff_t x, std::array<std::ptrdiff_t, 2> rows, const ValueStrip& strip,
                    const std::array<double, 2>& turns);
   void fill(Index start, Index set);
+  void sort_sets(std::size_t least_cells);
   void find_insides();
   void share_marked();
 
