@@ -59,6 +59,14 @@ JointRanges::JointRanges(const Manipulator& manipulator, const HeldJoint& held, 
   }
 }
 
+bool JointRanges::may_hold(std::size_t i, const Interval& values) const noexcept {
+  if (are_periodic_[i]) return true;
+  const double middle = 0.5 * (values.lower() + values.upper()), from = values_.center(i) - middle;
+  const double distance = std::abs(are_angles_[i] ? std::remainder(from, 2.0 * pi) : from);
+  const double reach = 0.5 * (values.upper() - values.lower() + values_.width(i));
+  return !(distance > (1.0 + 1e-9) * reach + 1e-9);
+}
+
 std::string JointRanges::unit() const {
   if (are_angles_[0] != are_angles_[1]) return "m rad";
   return are_angles_[0] ? "rad^2" : "m^2";

@@ -28,6 +28,9 @@ class JointRanges {
   /// Whether all angles are values of the joint, so that the last are the first.
   const std::array<bool, 2>& are_periodic() const noexcept { return are_periodic_; }
 
+  /// Whether values of joint i, angles to whole turns, may be among them.
+  bool may_hold(std::size_t i, const Interval& values) const noexcept;
+
   /// "rad^2", "m^2" or "m rad".
   std::string unit() const;
 

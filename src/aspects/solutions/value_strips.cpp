@@ -49,6 +49,13 @@ Values natural_values(const HeldSlice& slice, const SlicePosture& signs, const S
   return {slice.joint_value(0, signs[0], place), slice.joint_value(1, signs[1], place)};
 }
 
+/// Whether none of these values is in the ranges.
+bool are_outside(const JointRanges& ranges, const Values& values) {
+  for (std::size_t i = 0; i < 2; ++i)
+    if (values[i] && !ranges.may_hold(i, *values[i])) return true;
+  return false;
+}
+
 /// One posture over a box where neither leg is stretched or folded.
 class SmoothValues {
  public:
@@ -134,9 +141,9 @@ bool may_be_singular(const HeldSlice& slice, const SlicePosture& posture, const 
 /// The parallel singularities of one posture.
 class ParallelStrips {
  public:
-  ParallelStrips(const HeldSlice& slice, const SlicePosture& posture, const StripSizes& sizes,
-                 const TakeStrip& take)
-      : slice_(slice), posture_(posture), sizes_(sizes), take_(take) {}
+  ParallelStrips(const HeldSlice& slice, const JointRanges& ranges, const SlicePosture& posture,
+                 const StripSizes& sizes, const TakeStrip& take)
+      : slice_(slice), ranges_(ranges), posture_(posture), sizes_(sizes), take_(take) {}
 
   Next settle(const Box& box, double width) const {
     const SlicePlace place = slice_.place(box);
@@ -145,17 +152,19 @@ class ParallelStrips {
                  !may_be_singular(slice_, posture_, *legs, place, width <= largest_looked_at)))
       return Next::leave;
     if (width > largest_looked_at) return Next::divide;
+    const Values values = natural_values(slice_, posture_, place);
+    if (are_outside(ranges_, values)) return Next::leave;
     const auto smooth = legs ? SmoothValues::make(slice_, posture_, *legs, place) : std::nullopt;
     if (smooth && smooth->width() <= sizes_[0] && are_small(smooth->values(), longest_strip * sizes_[1])) {
       return taken(take_, smooth->strip());
     }
-    const Values values = natural_values(slice_, posture_, place);
     if (!are_small(values, sizes_[1]) && width > smallest_divided) return Next::divide;
     return taken(take_, {values, {}, {}});
   }
 
  private:
   const HeldSlice& slice_;
+  const JointRanges& ranges_;
   SlicePosture posture_;
   StripSizes sizes_;
   const TakeStrip& take_;
@@ -164,15 +173,16 @@ class ParallelStrips {
 /// Where leg i, 0 or 1, is stretched or folded, or that whose joint is held, 2; `sign` of B_jj of the other.
 class SerialStrips {
  public:
-  SerialStrips(const HeldSlice& slice, std::size_t of, const SlicePosture& signs, const StripSizes& sizes,
-               const TakeStrip& take)
-      : slice_(slice), of_(of), signs_(signs), sizes_(sizes), take_(take) {}
+  SerialStrips(const HeldSlice& slice, const JointRanges& ranges, std::size_t of, const SlicePosture& signs,
+               const StripSizes& sizes, const TakeStrip& take)
+      : slice_(slice), ranges_(ranges), of_(of), signs_(signs), sizes_(sizes), take_(take) {}
 
   Next settle(const Box& box, double width) const {
     const SlicePlace place = slice_.place(box);
     if (is_excluded(place)) return Next::leave;
     if (width > largest_looked_at) return Next::divide;
     const Values values = natural_values(slice_, signs_, place);
+    if (are_outside(ranges_, values)) return Next::leave;
     if (!are_small(values, sizes_[1]) && width > smallest_divided) return Next::divide;
     return taken(take_, {values, {}, {}});
   }
@@ -190,6 +200,7 @@ class SerialStrips {
   }
 
   const HeldSlice& slice_;
+  const JointRanges& ranges_;
   std::size_t of_;
   SlicePosture signs_;  // 0 where it is stretched or folded
   StripSizes sizes_;
@@ -198,24 +209,25 @@ class SerialStrips {
 
 }  // namespace
 
-void enclose_parallel_singularities(const HeldSlice& slice, const StripSizes& sizes,
-                                    const MapControl& control, const TakeStrip& take) {
+void enclose_parallel_singularities(const HeldSlice& slice, const JointRanges& ranges,
+                                    const StripSizes& sizes, const MapControl& control,
+                                    const TakeStrip& take) {
   assert_rounding_upward();
   for (const SlicePosture& posture : slice.postures()) {
-    const ParallelStrips strips(slice, posture, sizes, take);
+    const ParallelStrips strips(slice, ranges, posture, sizes, take);
     if (!cover_slice(control, [&](const Box& box, double width) { return strips.settle(box, width); }))
       return;
   }
 }
 
-void enclose_serial_singularities(const HeldSlice& slice, const StripSizes& sizes, const MapControl& control,
-                                  const TakeStrip& take) {
+void enclose_serial_singularities(const HeldSlice& slice, const JointRanges& ranges, const StripSizes& sizes,
+                                  const MapControl& control, const TakeStrip& take) {
   assert_rounding_upward();
   for (std::size_t of = 0; of <= 2; ++of)
     for (SlicePosture signs : slice.postures()) {
       if (of < 2 && signs[of] != slice.postures().front()[of]) continue;  // both meet there
       if (of < 2) signs[of] = 0;
-      const SerialStrips strips(slice, of, signs, sizes, take);
+      const SerialStrips strips(slice, ranges, of, signs, sizes, take);
       if (!cover_slice(control, [&](const Box& box, double width) { return strips.settle(box, width); }))
         return;
     }

@@ -51,8 +51,8 @@ class NumberedGrid {
     const double step = std::min(steps[0], steps[1]);
     const StripSizes sizes{0.25 * step, step};
     const auto mark = [this](const ValueStrip& strip) { return grid_.mark(strip); };
-    enclose_parallel_singularities(*slice_, sizes, control, mark);
-    enclose_serial_singularities(*slice_, sizes, control, mark);
+    enclose_parallel_singularities(*slice_, ranges_, sizes, control, mark);
+    enclose_serial_singularities(*slice_, ranges_, sizes, control, mark);
     if (is_cancelled(control)) return;
     grid_.join(least_cells);
     for (const GridSet& set : grid_.sets()) sets_.push_back({find_slice_solutions(*slice_, set.inside), {}});

@@ -211,7 +211,7 @@ TEST_P(SlicesIn, HaveNoImageOfASingularPoseInASet) {
     {
       const RoundingUpward rounding;
       const double step = std::min(grid.steps()[0], grid.steps()[1]);
-      enclose_parallel_singularities(*held.slice, {0.25 * step, step}, {},
+      enclose_parallel_singularities(*held.slice, held.ranges, {0.25 * step, step}, {},
                                      [&](const ValueStrip& strip) { return grid.mark(strip); });
       grid.join(1);
     }
@@ -313,6 +313,18 @@ TEST(SolutionNumbers, AreThoseOfTheDirectProblemInEachAspect) {
   if (!test::is_sanitized) expect_numbers_of_direct_problem(three_rrr, 1, 1.7, 20000);
   expect_numbers_of_direct_problem(test::shipped("three_prr")->manipulator()->with_constraints({}), 2, 0.3,
                                    20000);
+}
+
+// One of which is beyond half a turn.
+TEST(SolutionNumbers, AreThoseWithinLimits) {
+  const Robot free = test::three_rrr();
+  std::vector<Leg> legs(free->legs().begin(), free->legs().end());
+  legs[1].limits = JointLimits{2.5, 4.0};
+  legs[2].limits = JointLimits{-1.0, 1.0};
+  const Robot robot = test::manipulator("limited", TaskSpace::SE2, legs);
+  const Held held(robot, 0, 1.2);
+  EXPECT_NEAR(held.ranges.values().measure(), 3.0, 1e-12);
+  expect_numbers_of_direct_problem(robot, 0, 1.2, 4000);
 }
 
 TEST(SolutionNumbers, AreThoseOfOtherRobots) {
