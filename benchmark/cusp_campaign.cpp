@@ -2,16 +2,15 @@
 //
 // Prints a table of docs/uniqueness.md: paths around the cusps of the 3-RPR, played into the tracker with
 // noise of its encoders. Usage: cusp_campaign
+#include "motion/choose/cusp_paths.h"
 #include "motion/choose/plan_around_cusp.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/tracking/tracker.h"
 
 #include "support/campaign_figures.h"
 #include "support/robots.h"
-#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <memory>
@@ -31,19 +30,6 @@ struct Row {
   int paths = 0, followed = 0, followed_finer = 0, plays = 0;
   std::vector<double> index, seconds;
 };
-
-/// Actuated values along a path, which stop at each of its points without a jerk.
-std::vector<JointVector> values_along(const Manipulator& robot, const CuspPlanner& planner,
-                                      const PlannedPath& path) {
-  std::vector<JointVector> values;
-  for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
-    for (int k = 0; k <= steps; ++k) {
-      const double share = 0.5 - 0.5 * std::cos(EIGEN_PI * k / steps);
-      const Pose pose = planner.between(path.points[i].pose, path.points[i + 1].pose, share);
-      values.push_back(inverse(robot, pose, path.points[i].mode).q);
-    }
-  return values;
-}
 
 /// Whether the tracker is at the end of the path when the values are, with encoders that are off by so much.
 bool is_followed(const std::shared_ptr<const Manipulator>& robot, const PlannedPath& path,
@@ -68,7 +54,7 @@ bool is_followed(const std::shared_ptr<const Manipulator>& robot, const PlannedP
 
 void play(const std::shared_ptr<const Manipulator>& robot, const CuspPlanner& planner,
           const PlannedPath& path, Row& row) {
-  const std::vector<JointVector> values = values_along(*robot, planner, path);
+  const std::vector<JointVector> values = test::values_along(*robot, planner, path, steps);
   ++row.paths;
   row.index.push_back(path.least_index);
   for (unsigned seed = 1; seed <= plays; ++seed) {

@@ -126,13 +126,12 @@ class SmoothValues {
 /// Whether D may vanish in the box, by bounds of D and, of a small one, by its slope.
 bool may_be_singular(const HeldSlice& slice, const SlicePosture& posture, const CuspLegs& legs,
                      const SlicePlace& place, bool is_small) {
-  const CuspFunctions<1> over(legs, place.over());
-  if (!may_vanish(over.d.value())) return false;
+  if (!may_be_singular(legs, place.over())) return false;
   if (!is_small || !are_regular(legs)) return true;
   const SlicePlace center = place.at_center();
   const auto at_center = legs_over(slice, posture, center);
   if (!at_center || !are_regular(*at_center)) return true;
-  const auto slope = TotalGradients<2>(legs, over, place.over()).d;
+  const auto slope = TotalGradients<2>(legs, CuspFunctions<1>(legs, place.over()), place.over()).d;
   const SliceCenter& middle = place.middle();
   return may_vanish(CuspFunctions<0>(*at_center, center.over()).d.value() + slope[0] * middle.offset(0) +
                     slope[1] * middle.offset(1));

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TEST_ROS_CUSP_MOTION_H
 #define PARALLEL_ASPECTS_TEST_ROS_CUSP_MOTION_H
 
-#include "motion/choose/plan_around_cusp.h"
+#include "motion/choose/cusp_paths.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
@@ -26,20 +26,6 @@ inline JointVector values_with_six_solutions() { return Eigen::Vector3d(14.98, 1
 inline Pose pose_with_six_solutions(const Manipulator& robot, const AspectMap& slice, std::size_t solution) {
   const auto found = direct(robot, values_with_six_solutions()).solutions;
   return circle_of_anchor(robot, *slice.slice()->joint).nearest(found.at(solution).pose);
-}
-
-/// Actuated values along a path, which stop at each of its points without a jerk: a step that differs from
-/// the last one counts as a bend.
-inline std::vector<JointVector> values_along(const Manipulator& robot, const CuspPlanner& planner,
-                                             const PlannedPath& path, int steps) {
-  std::vector<JointVector> values;
-  for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
-    for (int k = 0; k <= steps; ++k) {
-      const double share = 0.5 - 0.5 * std::cos(EIGEN_PI * k / steps);
-      const Pose pose = planner.between(path.points[i].pose, path.points[i + 1].pose, share);
-      values.push_back(inverse(robot, pose, path.points[i].mode).q);
-    }
-  return values;
 }
 
 /// Around no cusp.
