@@ -65,4 +65,15 @@ Turn<Interval> enclosed_turn(double angle) noexcept {
   return {{cosine - error, cosine + error}, {sine - error, sine + error}};
 }
 
+Turn<Interval> enclosed_turn(double zero, double sense, const Interval& q) noexcept {
+  const double middle = 0.5 * (q.lower() + q.upper());
+  const Turn<Interval> at_middle = enclosed_turn(zero + sense * middle);
+  if (q.lower() == q.upper()) return at_middle;
+  const double half = std::max(q.upper() - middle, middle - q.lower());
+  if (!(half <= 3.0)) return {{-1.0, 1.0}, {-1.0, 1.0}};
+  const Turn<Interval> by = turn_of_half_turns(Interval(-half, half) * reciprocal(pi_enclosure()));
+  return {at_middle.cosine * by.cosine - at_middle.sine * by.sine,
+          at_middle.sine * by.cosine + at_middle.cosine * by.sine};
+}
+
 }  // namespace parallel_aspects

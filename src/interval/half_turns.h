@@ -30,6 +30,9 @@ inline Turn<Interval> turn_of_half_turns(const Interval& a) noexcept {
 /// few units in the last place each, in every rounding direction.
 Turn<Interval> enclosed_turn(double angle) noexcept;
 
+/// Of `zero` + `sense` q for all q of a range [rad].
+Turn<Interval> enclosed_turn(double zero, double sense, const Interval& q) noexcept;
+
 template <std::size_t N, class Value>
 Turn<Dual<N, Value>> turn_of_half_turns(const Dual<N, Value>& a) noexcept {
   const Turn<Value> value = turn_of_half_turns(a.value);

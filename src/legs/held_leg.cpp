@@ -14,17 +14,6 @@ Interval height(const Leg& leg, const Eigen::Vector3d& point) {
   return Interval(leg.anchor.z()) - Interval(point.z());
 }
 
-/// Of `zero` + `sense` q [rad].
-Turn<Interval> turn_over(double zero, double sense, const Interval& q) {
-  const double middle = middle_of(q);
-  const Turn<Interval> at_middle = enclosed_turn(zero + sense * middle);
-  if (q.lower() == q.upper()) return at_middle;
-  const double half = std::max(q.upper() - middle, middle - q.lower());
-  const Turn<Interval> by = turn_of_half_turns(Interval(-half, half) * reciprocal(pi_enclosure()));
-  return {at_middle.cosine * by.cosine - at_middle.sine * by.sine,
-          at_middle.sine * by.cosine + at_middle.cosine * by.sine};
-}
-
 }  // namespace
 
 HeldLeg::HeldLeg(const Leg& leg, const Interval& q, double serial_margin) {
@@ -41,7 +30,7 @@ void HeldLeg::set(const RevoluteActuation& crank, const Leg& leg, const Interval
   const double sense = crank.axis.z() > 0.0 ? 1.0 : -1.0;
   const Interval radius(crank.radius);
   const Turn<Interval> turn =
-      turn_over(std::atan2(crank.zero_direction.y(), crank.zero_direction.x()), sense, q);
+      enclosed_turn(std::atan2(crank.zero_direction.y(), crank.zero_direction.x()), sense, q);
   const Planar<Interval> arm{radius * turn.cosine, radius * turn.sine};
   center_ = {Interval(crank.center.x()) + arm.x, Interval(crank.center.y()) + arm.y};
   lever_ = {Interval(-sense) * arm.y, Interval(sense) * arm.x};

@@ -17,13 +17,14 @@ Spatial<Interval> sum_of(const Spatial<Interval>& a, const Spatial<Interval>& b)
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-HeldPoint::HeldPoint(const Leg& leg, double q) : squared_rod(square(Interval(leg.rod_length))), q_(q) {
+HeldPoint::HeldPoint(const Leg& leg, const Interval& q)
+    : squared_rod(square(Interval(leg.rod_length))), q_(q) {
   assert_rounding_upward();
   std::visit([this](const auto& actuation) { set(actuation); }, leg.actuation);
 }
 
 void HeldPoint::set(const RevoluteActuation& crank) {
-  const Turn<Interval> turn = enclosed_turn(q_);
+  const Turn<Interval> turn = enclosed_turn(0.0, 1.0, q_);
   const Spatial<Interval> zero = scaled(crank.radius, enclosed(crank.zero_direction)),
                           side = cross(enclosed(crank.axis), zero);
   c = sum_of(enclosed(crank.center), sum_of(scaled(turn.cosine, zero), scaled(turn.sine, side)));
@@ -32,12 +33,12 @@ void HeldPoint::set(const RevoluteActuation& crank) {
 
 void HeldPoint::set(const PrismaticActuation& rail) {
   slope = enclosed(rail.direction);
-  c = sum_of(enclosed(rail.origin), scaled(Interval(q_), slope));
+  c = sum_of(enclosed(rail.origin), scaled(q_, slope));
 }
 
 void HeldPoint::set(const StrutActuation& strut) {
   c = enclosed(strut.base);
-  const Interval rod = Interval(strut.length_at_zero) + Interval(strut.sense) * Interval(q_);
+  const Interval rod = Interval(strut.length_at_zero) + Interval(strut.sense) * q_;
   squared_rod = square(rod);
   rod_slope = Interval(strut.sense) * rod;
 }

@@ -11,11 +11,11 @@ namespace parallel_aspects {
 Spatial<Interval> scaled(const Interval& factor, const Spatial<Interval>& v) noexcept;
 Spatial<Interval> sum_of(const Spatial<Interval>& a, const Spatial<Interval>& b) noexcept;
 
-/// c and rho of a leg whose actuated joint is held at q. Must be made under a live `RoundingUpward`; not of
-/// an actuated elbow.
+/// c and rho of a leg whose actuated joint is held at q, or somewhere in q. Must be made under a live
+/// `RoundingUpward`; not of an actuated elbow.
 class HeldPoint {
  public:
-  HeldPoint(const Leg& leg, double q);
+  HeldPoint(const Leg& leg, const Interval& q);
 
   Spatial<Interval> c;                     ///< [m]
   Spatial<Interval> slope{0.0, 0.0, 0.0};  ///< c', by q
@@ -28,7 +28,7 @@ class HeldPoint {
   void set(const StrutActuation& strut);
   void set(const ElbowActuation& elbow);
 
-  double q_;
+  Interval q_;
 };
 
 }  // namespace parallel_aspects

@@ -27,7 +27,7 @@ std::shared_ptr<const Uniqueness> made_up() {
     uniqueness->basic_regions.push_back(region);
   }
   uniqueness->domains = {{1, false, {0, 2}, 1.0}, {1, false, {1, 2}, 1.0}};
-  uniqueness->region_of = [](const Pose& pose) -> std::optional<std::size_t> {
+  uniqueness->region_of = [](const Pose& pose, const WorkingMode&) -> std::optional<std::size_t> {
     if (pose.position.x() < 0.0) return std::nullopt;
     return static_cast<std::size_t>(pose.position.x());
   };

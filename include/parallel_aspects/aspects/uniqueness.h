@@ -187,15 +187,17 @@ struct Uniqueness : SolutionNumbers {
   /// listed.
   std::vector<Cusp> cusps;
   bool cusps_complete = false;      ///< it is proved that there are no others within limits
-  std::vector<SolutionNode> nodes;  ///< likewise, of slices of robots with three struts
+  bool has_nodes = false;           ///< whether nodes were looked for, of slices of robots with three struts
+  std::vector<SolutionNode> nodes;  ///< likewise
   bool nodes_complete = false;      ///< it is proved that there are no others within limits
-  /// Whether basic regions and domains were looked for, of robots with three struts; else they are empty.
+  /// Whether basic regions and domains were looked for, where there are numbers of solutions; else they are
+  /// empty.
   bool has_domains = false;
   std::vector<BasicRegion> basic_regions;  ///< over sets of actuated values that are not tiny
-  /// Index in `basic_regions` of that which holds a pose, or the direct solution beside it that has its
-  /// actuated values as they are rounded; nothing where that is not proved, and outside of limits. It takes
-  /// some steps of interval arithmetic, and may be called from any thread.
-  std::function<std::optional<std::size_t>(const Pose&)> region_of;
+  /// Index in `basic_regions` of that which holds a pose in a working mode, or the direct solution beside it
+  /// that has its actuated values as they are rounded; nothing where that is not proved, and outside of
+  /// limits. It takes some steps of interval arithmetic, and may be called from any thread.
+  std::function<std::optional<std::size_t>(const Pose&, const WorkingMode&)> region_of;
   /// Indices of the basic regions that a path visits which goes from pose to pose as `pose_between` does, and
   /// is known to be free of singularities. Nothing unless it is proved that these regions and the path
   /// together form a connected set without two poses of the same actuated values, so that a uniqueness domain
@@ -204,9 +206,10 @@ struct Uniqueness : SolutionNumbers {
   bool domains_complete = true;           ///< whether all domains that these regions form are listed
   std::vector<UniquenessDomain> domains;  ///< by aspect
 
-  /// The basic region of a pose, as `region_of` has it.
-  std::optional<std::size_t> locate(const Pose& pose) const {
-    return region_of ? region_of(pose) : std::nullopt;
+  /// The basic region of a pose, as `region_of` has it. Of a robot with one working mode, as with three
+  /// struts, the mode is not read.
+  std::optional<std::size_t> locate(const Pose& pose, const WorkingMode& mode = {}) const {
+    return region_of ? region_of(pose, mode) : std::nullopt;
   }
 
   /// Indices of the domains that hold a basic region.
@@ -226,9 +229,8 @@ struct UniquenessResult {
 };
 
 /// Computes all of it. In T1, T2 and T3 it follows from a theorem. In SE2 there are slices with an actuated
-/// joint held: their cusps, unless a leg has an actuated elbow the numbers of solutions, and of robots with
-/// three struts all the rest, too; and these robots as a whole,
-/// within limits, but for cusps. What remains is refused with a message.
+/// joint held: their cusps, and unless a leg has an actuated elbow all the rest; and robots with three struts
+/// as a whole, within limits, but for cusps. What remains is refused with a message.
 UniquenessResult compute_uniqueness(std::shared_ptr<const Manipulator> manipulator,
                                     const UniquenessOptions& options = {}, const MapControl& control = {});
 

@@ -75,14 +75,14 @@ class HeldSlice {
   /// Nothing where the box is too large to tell.
   virtual std::optional<LegOver> leg_over(std::size_t i, int sign, const SlicePlace& at) const noexcept = 0;
 
-  /// A leg at a joint value.
+  /// A leg at a joint value, or over a range of them.
   struct LegAt {
     CosineSum equation;  ///< g_i, all of it
     CosineSum slope;     ///< its derivative by the joint value, -B_jj
   };
 
   /// Not of an actuated elbow.
-  virtual LegAt leg_at(std::size_t i, double q) const noexcept = 0;
+  virtual LegAt leg_at(std::size_t i, const Interval& q) const noexcept = 0;
 
   /// Over a box, in one posture, or where the leg is stretched or folded, with sign 0: a range of values, of
   /// angles to whole turns. Nothing where the box is too large to tell. Not of an actuated elbow.

@@ -82,7 +82,7 @@ std::optional<HeldSlice::LegOver> PlanarHeldSlice::leg_over(std::size_t i, int s
   return result;
 }
 
-HeldSlice::LegAt PlanarHeldSlice::leg_at(std::size_t i, double q) const noexcept {
+HeldSlice::LegAt PlanarHeldSlice::leg_at(std::size_t i, const Interval& q) const noexcept {
   const MovingLeg& moving = legs_[i];
   const HeldLeg at(moving_leg(i), q, 0.0);
   const Planar<Interval>&slope = at.center_slope(), &center = at.center();

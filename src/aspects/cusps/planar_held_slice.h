@@ -24,7 +24,7 @@ class PlanarHeldSlice : public HeldSlice {
   void hold(const Interval& value) noexcept;
 
   std::optional<LegOver> leg_over(std::size_t i, int sign, const SlicePlace& at) const noexcept override;
-  LegAt leg_at(std::size_t i, double q) const noexcept override;
+  LegAt leg_at(std::size_t i, const Interval& q) const noexcept override;
   Pose pose(const std::array<double, 2>& at) const override;
 
  private:

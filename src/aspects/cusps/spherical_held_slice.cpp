@@ -117,7 +117,7 @@ std::optional<HeldSlice::LegOver> SphericalHeldSlice::leg_over(std::size_t i, in
   return result;
 }
 
-HeldSlice::LegAt SphericalHeldSlice::leg_at(std::size_t i, double q) const noexcept {
+HeldSlice::LegAt SphericalHeldSlice::leg_at(std::size_t i, const Interval& q) const noexcept {
   const MovingLeg& moving = legs_[i];
   const HeldPoint at(moving_leg(i), q);
   LegAt result{orientations_.along(opposite(at.c), moving.anchor),

@@ -23,7 +23,7 @@ class SphericalHeldSlice : public HeldSlice {
   SphericalHeldSlice(const Manipulator& manipulator, const HeldJoint& joint);
 
   std::optional<LegOver> leg_over(std::size_t i, int sign, const SlicePlace& at) const noexcept override;
-  LegAt leg_at(std::size_t i, double q) const noexcept override;
+  LegAt leg_at(std::size_t i, const Interval& q) const noexcept override;
   Pose pose(const std::array<double, 2>& at) const override { return orientations_.pose(at); }
 
  private:

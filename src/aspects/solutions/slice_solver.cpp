@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/solutions/slice_solver.h"
 
-#include "aspects/cusps/jet.h"
 #include "aspects/solutions/all_zeros.h"
+#include "aspects/solutions/slice_equations.h"
 
 #include <cstddef>
 
 namespace parallel_aspects {
 namespace {
-
-using LegsAt = std::array<HeldSlice::LegAt, 2>;
-
-PairOverBox equations_over(const HeldSlice& slice, const LegsAt& legs, const Box& box) {
-  const SlicePlace place = slice.place(box);
-  PairOverBox pair;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Jet<1> g = legs[i].equation.jet<1>(place.over());
-    pair.center[i] = legs[i].equation.jet<0>(place.center()).value();
-    pair.jacobian[i] = {g.at(1, 0), g.at(0, 1)};
-  }
-  return pair;
-}
 
 SlicePosture posture_in(const HeldSlice& slice, const LegsAt& legs, const Box& enclosure) {
   const SlicePlace place = slice.place(enclosure);
@@ -38,7 +25,7 @@ std::optional<std::vector<SliceSolution>> find_slice_solutions(const HeldSlice& 
                                                                const std::array<double, 2>& values) {
   assert_rounding_upward();
   const LegsAt legs{slice.leg_at(0, values[0]), slice.leg_at(1, values[1])};
-  const auto boxes = find_all_zeros([&](const Box& box) { return equations_over(slice, legs, box); });
+  const auto boxes = find_all_zeros([&](const Box& box) { return pair_over(legs, slice.place(box)); });
   if (!boxes) return std::nullopt;
   std::vector<SliceSolution> result;
   for (const Box& box : *boxes) result.push_back({box, posture_in(slice, legs, box)});

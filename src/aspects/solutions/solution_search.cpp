@@ -12,11 +12,12 @@ std::array<Interval, 2> values_at(const Lengths& lengths) noexcept {
 }
 
 PairOverBox pair_over(const StrutSlice& slice, const Box& box, const std::array<Interval, 2>& values) {
-  const SliceTurns over(ranges_of(box)), center(SliceCenter(box).at);
+  const bool is_point = box.width(0) == 0.0 && box.width(1) == 0.0;
+  const SliceTurns center(SliceCenter(box).at), over = is_point ? center : SliceTurns(ranges_of(box));
   PairOverBox pair;
   for (std::size_t i = 0; i < 2; ++i) {
     const Jet<1> slopes = slice.half_square<1>(i, over);
-    pair.center[i] = slice.half_square<0>(i, center).value() - values[i];
+    pair.center[i] = (is_point ? slopes.value() : slice.half_square<0>(i, center).value()) - values[i];
     pair.jacobian[i] = {slopes.at(1, 0), slopes.at(0, 1)};
   }
   return pair;

@@ -29,8 +29,8 @@ AnchorCircle StrutPoses::circle(double squared_length) const {
   return {center.head<2>(), std::sqrt(std::max(0.0, squared_length - height * height)), leg.anchor.head<2>()};
 }
 
-Box StrutPoses::box_about(const Pose& pose) const {
-  const Eigen::Vector2d rod = circle(0.0).rod(pose);
+Box box_about(const AnchorCircle& circle, const Pose& pose) {
+  const Eigen::Vector2d rod = circle.rod(pose);
   const double phi = 2.0 * std::atan2(pose.orientation.z(), pose.orientation.w());
   const std::array<double, 2> at{std::atan2(rod.y(), rod.x()) / pi, std::remainder(phi, full_turn) / pi};
   Box box{2, {}, {}};
@@ -40,6 +40,8 @@ Box StrutPoses::box_about(const Pose& pose) const {
   }
   return box;
 }
+
+Box StrutPoses::box_about(const Pose& pose) const { return parallel_aspects::box_about(circle(0.0), pose); }
 
 Lengths StrutPoses::lengths(const JointVector& actuated) const {
   Lengths result{};

@@ -13,6 +13,9 @@
 
 namespace parallel_aspects {
 
+/// A box of a slice of SE2 about the pose that is small, but wide for roundings.
+Box box_about(const AnchorCircle& circle, const Pose& pose);
+
 /// Takes points of slices of three struts to poses, lengths to joint values, and back. Rounds as the thread
 /// does: none of it is an enclosure.
 class StrutPoses {
@@ -27,7 +30,7 @@ class StrutPoses {
   /// In the middle of a box, at these lengths.
   Pose pose(const Box& box, const Lengths& lengths) const;
 
-  /// A box about the pose that is small, but wide for roundings.
+  /// See above.
   Box box_about(const Pose& pose) const;
 
   /// Of one slice the third is 0. Negative where there is no value, or the strut cannot have it.

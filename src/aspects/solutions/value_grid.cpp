@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -128,34 +129,65 @@ void ValueGrid::find_insides() {
       }
       if (set >= sets_.size() || end - x <= longest[set]) continue;
       longest[set] = end - x;
-      sets_[set].inside = {lower_[0] + steps_[0] * 0.5 * static_cast<double>(x + end),
-                           lower_[1] + steps_[1] * (static_cast<double>(y) + 0.5)};
+      sets_[set].cell = {static_cast<std::ptrdiff_t>((x + end) / 2), static_cast<std::ptrdiff_t>(y)};
+      sets_[set].inside = values_at(sets_[set].cell);
     }
 }
 
-// Among the sets beside each.
+// Each goes to the sets that come to it first, in equal shares.
 void ValueGrid::share_marked() {
+  std::vector<Index> nearest = set_, reached;
   for (Index cell = 0; cell < set_.size(); ++cell) {
-    if (set_[cell] < sets_.size()) continue;
-    ++in_none_;
-    std::set<Index> beside;
-    for_neighbours(cell, [&](Index other) {
-      if (set_[other] < sets_.size()) beside.insert(set_[other]);
-    });
-    for (const Index set : beside) sets_[set].cells_beside += 1.0 / static_cast<double>(beside.size());
+    if (set_[cell] >= sets_.size())
+      ++in_none_;
+    else
+      reached.push_back(cell);
+  }
+  while (!reached.empty()) {
+    std::map<Index, std::set<Index>> next;
+    for (const Index cell : reached)
+      for_neighbours(cell, [&](Index other) {
+        if (nearest[other] >= sets_.size()) next[other].insert(nearest[cell]);
+      });
+    reached.clear();
+    for (const auto& [cell, sets] : next) {
+      for (const Index set : sets) sets_[set].cells_beside += 1.0 / static_cast<double>(sets.size());
+      nearest[cell] = *sets.begin();
+      reached.push_back(cell);
+    }
   }
 }
 
-std::optional<std::size_t> ValueGrid::set_of(const std::array<double, 2>& values) const noexcept {
-  std::array<std::size_t, 2> at{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (!(ranges_.values().lower[i] <= values[i] && values[i] <= ranges_.values().upper[i]))
-      return std::nullopt;
-    at[i] = std::min(cells_ - 1, static_cast<std::size_t>((values[i] - lower_[i]) / steps_[i]));
-  }
-  const Index set = set_[at[1] * cells_ + at[0]];
+GridPlace ValueGrid::within(const GridPlace& place) const noexcept {
+  GridPlace result = place;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (is_periodic(i)) result[i] = (place[i] % cells_an_axis() + cells_an_axis()) % cells_an_axis();
+  return result;
+}
+
+std::array<double, 2> ValueGrid::values_at(const GridPlace& place) const noexcept {
+  return {lower_[0] + steps_[0] * (static_cast<double>(place[0]) + 0.5),
+          lower_[1] + steps_[1] * (static_cast<double>(place[1]) + 0.5)};
+}
+
+std::optional<std::size_t> ValueGrid::set_at(const GridPlace& place) const noexcept {
+  const Index set = set_[static_cast<std::size_t>(place[1]) * cells_ + static_cast<std::size_t>(place[0])];
   if (set >= sets_.size()) return std::nullopt;
   return set;
+}
+
+GridPlace ValueGrid::cell_of(const std::array<double, 2>& values) const noexcept {
+  GridPlace at{};
+  for (std::size_t i = 0; i < 2; ++i)
+    at[i] = std::min(cells_an_axis() - 1, static_cast<std::ptrdiff_t>((values[i] - lower_[i]) / steps_[i]));
+  return at;
+}
+
+std::optional<std::size_t> ValueGrid::set_of(const std::array<double, 2>& values) const noexcept {
+  for (std::size_t i = 0; i < 2; ++i)
+    if (!(ranges_.values().lower[i] <= values[i] && values[i] <= ranges_.values().upper[i]))
+      return std::nullopt;
+  return set_at(cell_of(values));
 }
 
 }  // namespace parallel_aspects

@@ -13,9 +13,16 @@
 
 namespace parallel_aspects {
 
+/// Column and row of a cell. Of an angle with all values they go on beyond both ends, in further turns.
+using GridPlace = std::array<std::ptrdiff_t, 2>;
+
+// Smaller sets are slivers between strips.
+inline constexpr std::size_t least_cells_of_set = 16;
+
 /// A connected set of cells that no strip touches.
 struct GridSet {
-  std::array<double, 2> inside{};  ///< values in the middle of its longest row [m or rad]
+  GridPlace cell{};                ///< in the middle of its longest row
+  std::array<double, 2> inside{};  ///< values in the middle of this cell [m or rad]
   std::size_t cells = 0;
   double cells_beside = 0.0;  ///< its share of the cells that strips touch
 };
@@ -38,6 +45,24 @@ class ValueGrid {
 
   /// The largest first.
   const std::vector<GridSet>& sets() const noexcept { return sets_; }
+
+  /// Cells along either axis.
+  std::ptrdiff_t cells_an_axis() const noexcept { return static_cast<std::ptrdiff_t>(cells_); }
+
+  /// Whether rows, or columns, go on in further turns.
+  bool is_periodic(std::size_t axis) const noexcept { return ranges_.are_periodic()[axis]; }
+
+  /// The same cell in the first turn.
+  GridPlace within(const GridPlace& place) const noexcept;
+
+  /// Values in the middle of a cell, in its turn to rounding [m or rad].
+  std::array<double, 2> values_at(const GridPlace& place) const noexcept;
+
+  /// The cell of these values, which must be in the ranges.
+  GridPlace cell_of(const std::array<double, 2>& values) const noexcept;
+
+  /// Index of the set of a cell in the first turn; nothing where it is in none.
+  std::optional<std::size_t> set_at(const GridPlace& place) const noexcept;
 
   /// Index of the set of these values [m or rad]; nothing where they are in none.
   std::optional<std::size_t> set_of(const std::array<double, 2>& values) const noexcept;

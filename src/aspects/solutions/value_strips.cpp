@@ -16,7 +16,7 @@ constexpr double largest_looked_at = 0.125, smallest_divided = 0x1p-24;
 using Values = std::array<std::optional<Interval>, 2>;
 
 // Strips are at most this many times as long as rectangles: longer ones take time to mark.
-constexpr double longest_strip = 64.0;
+constexpr double longest_value_strip = 64.0;
 
 bool are_small(const Values& values, double half_width) {
   return std::all_of(values.begin(), values.end(), [&](const auto& value) {
@@ -31,19 +31,31 @@ enum class Next { divide, leave, stop };
 template <class Settle>
 bool cover_slice(const MapControl& control, const Settle& settle) {
   std::vector<Box> boxes{whole_slice()};
+  const double whole = boxes.front().measure();
+  double done = 0.0;
   for (std::size_t effort = 0; !boxes.empty(); ++effort) {
-    if (effort % 1024 == 0 && is_cancelled(control)) return false;
+    if (effort % 1024 == 0) {
+      if (is_cancelled(control)) return false;
+      if (control.progress) control.progress(std::min(1.0, done / whole));
+    }
     const Box box = boxes.back();
     boxes.pop_back();
     const Next next = settle(box, std::max(box.width(0), box.width(1)));
     if (next == Next::stop) return false;
-    if (next == Next::leave) continue;
+    if (next == Next::leave) {
+      done += box.measure();
+      continue;
+    }
     for (const Box& half : halves_of(box)) boxes.push_back(half);
   }
   return true;
 }
 
-Next taken(const TakeStrip& take, const ValueStrip& strip) { return take(strip) ? Next::leave : Next::stop; }
+Next taken(const TakeStrip& take, ValueStrip strip, const SlicePosture& posture, int held) {
+  strip.posture = posture;
+  strip.held = held;
+  return take(strip) ? Next::leave : Next::stop;
+}
 
 Values natural_values(const HeldSlice& slice, const SlicePosture& signs, const SlicePlace& place) {
   return {slice.joint_value(0, signs[0], place), slice.joint_value(1, signs[1], place)};
@@ -154,11 +166,12 @@ class ParallelStrips {
     const Values values = natural_values(slice_, posture_, place);
     if (are_outside(ranges_, values)) return Next::leave;
     const auto smooth = legs ? SmoothValues::make(slice_, posture_, *legs, place) : std::nullopt;
-    if (smooth && smooth->width() <= sizes_[0] && are_small(smooth->values(), longest_strip * sizes_[1])) {
-      return taken(take_, smooth->strip());
+    if (smooth && smooth->width() <= sizes_[0] &&
+        are_small(smooth->values(), longest_value_strip * sizes_[1])) {
+      return taken(take_, smooth->strip(), posture_, slice_.held_sign(place));
     }
     if (!are_small(values, sizes_[1]) && width > smallest_divided) return Next::divide;
-    return taken(take_, {values, {}, {}});
+    return taken(take_, {values, {}, {}}, posture_, slice_.held_sign(place));
   }
 
  private:
@@ -183,7 +196,7 @@ class SerialStrips {
     const Values values = natural_values(slice_, signs_, place);
     if (are_outside(ranges_, values)) return Next::leave;
     if (!are_small(values, sizes_[1]) && width > smallest_divided) return Next::divide;
-    return taken(take_, {values, {}, {}});
+    return taken(take_, {values, {}, {}}, signs_, slice_.held_sign(place));
   }
 
  private:
@@ -212,24 +225,29 @@ void enclose_parallel_singularities(const HeldSlice& slice, const JointRanges& r
                                     const StripSizes& sizes, const MapControl& control,
                                     const TakeStrip& take) {
   assert_rounding_upward();
+  const auto count = static_cast<double>(slice.postures().size());
+  double done = 0.0;
   for (const SlicePosture& posture : slice.postures()) {
     const ParallelStrips strips(slice, ranges, posture, sizes, take);
-    if (!cover_slice(control, [&](const Box& box, double width) { return strips.settle(box, width); }))
-      return;
+    const MapControl part = part_of(control, done / count, (done + 1.0) / count);
+    done += 1.0;
+    if (!cover_slice(part, [&](const Box& box, double width) { return strips.settle(box, width); })) return;
   }
 }
 
 void enclose_serial_singularities(const HeldSlice& slice, const JointRanges& ranges, const StripSizes& sizes,
                                   const MapControl& control, const TakeStrip& take) {
   assert_rounding_upward();
-  for (std::size_t of = 0; of <= 2; ++of)
+  for (std::size_t of = 0; of <= 2; ++of) {
+    const MapControl part =
+        part_of(control, static_cast<double>(of) / 3.0, static_cast<double>(of + 1) / 3.0);
     for (SlicePosture signs : slice.postures()) {
       if (of < 2 && signs[of] != slice.postures().front()[of]) continue;  // both meet there
       if (of < 2) signs[of] = 0;
       const SerialStrips strips(slice, ranges, of, signs, sizes, take);
-      if (!cover_slice(control, [&](const Box& box, double width) { return strips.settle(box, width); }))
-        return;
+      if (!cover_slice(part, [&](const Box& box, double width) { return strips.settle(box, width); })) return;
     }
+  }
 }
 
 }  // namespace parallel_aspects

@@ -19,6 +19,9 @@ struct ValueStrip {
   std::array<std::optional<Interval>, 2> values;  ///< angles to whole turns; nothing stands for all values
   std::array<double, 2> normal{};
   Interval along;
+  /// Signs of B_jj of the poses, and of the leg whose joint is held; 0 where there may be both.
+  SlicePosture posture{};
+  int held = 0;
 };
 
 /// Answers whether to go on: not once all values are in strips.

@@ -30,4 +30,14 @@ void set_unknown(double unknown, SolutionNumbers& result) {
     region.measure_upper = (region.measure_lower + unknown) * rounded_up;
 }
 
+void add_domains(FoundDomains domains, Uniqueness& result) {
+  result.domains_complete = domains.complete;
+  for (auto& each : domains.domains) {
+    UniquenessDomain domain{result.basic_regions[each.front()].aspect, false, std::move(each), 0.0};
+    for (const std::size_t region : domain.basic_regions)
+      domain.measure_lower += result.basic_regions[region].measure_lower * rounded_down;
+    result.domains.push_back(std::move(domain));
+  }
+}
+
 }  // namespace parallel_aspects

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_NUMBER_TABLE_H
 #define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_NUMBER_TABLE_H
 
+#include "aspects/regions/uniqueness_domains.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 
@@ -18,6 +19,9 @@ void add_component(BasicComponent component, SolutionNumbers& result);
 
 /// Once all are added: on so much no number is proved [m^2 or other].
 void set_unknown(double unknown, SolutionNumbers& result);
+
+/// Domains of the basic regions that are there.
+void add_domains(FoundDomains domains, Uniqueness& result);
 
 }  // namespace parallel_aspects
 

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_PATH_IN_REGIONS_H
 
 #include "aspects/cusps/strut_slice.h"
-#include "aspects/uniqueness/actuated_space.h"
+#include "aspects/solutions/actuated_space.h"
 #include "interval/interval.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"

@@ -29,9 +29,6 @@ std::size_t cells_an_axis(const Manipulator& manipulator) noexcept {
 // Of robots with such slices.
 constexpr std::size_t slice_leg_count = 3;
 
-// Smaller sets are slivers between strips.
-constexpr std::size_t least_cells = 16;
-
 /// What is known of a connected set of values.
 struct CountedSet {
   std::optional<std::vector<SliceSolution>> solutions;  // of the values inside
@@ -40,25 +37,22 @@ struct CountedSet {
 
 class NumberedGrid {
  public:
-  NumberedGrid(const Manipulator& manipulator, const HeldJoint& held, std::shared_ptr<const AspectMap> map,
-               const MapControl& control)
-      : map_(std::move(map)),
-        held_(held),
-        slice_(make_held_slice(manipulator, held_)),
-        ranges_(manipulator, held_, *slice_),
-        grid_(ranges_, cells_an_axis(manipulator)) {
+  NumberedGrid(const Manipulator& manipulator, std::shared_ptr<const SliceOfValues> values,
+               std::shared_ptr<const AspectMap> map, const SeeStrip& see, const MapControl& control)
+      : map_(std::move(map)), values_(std::move(values)), grid_(values_->ranges, cells_an_axis(manipulator)) {
     const std::array<double, 2> steps = grid_.steps();
     const double step = std::min(steps[0], steps[1]);
     const StripSizes sizes{0.25 * step, step};
-    const auto mark = [this](const ValueStrip& strip) { return grid_.mark(strip); };
-    enclose_parallel_singularities(*slice_, ranges_, sizes, control, mark);
-    enclose_serial_singularities(*slice_, ranges_, sizes, control, mark);
+    const auto mark = [&](const ValueStrip& strip) {
+      see(strip);
+      return grid_.mark(strip);
+    };
+    enclose_parallel_singularities(slice(), ranges(), sizes, part_of(control, 0.0, 0.6), mark);
+    enclose_serial_singularities(slice(), ranges(), sizes, part_of(control, 0.6, 0.8), mark);
     if (is_cancelled(control)) return;
-    grid_.join(least_cells);
-    for (const GridSet& set : grid_.sets()) sets_.push_back({find_slice_solutions(*slice_, set.inside), {}});
+    grid_.join(least_cells_of_set);
+    for (const GridSet& set : grid_.sets()) sets_.push_back({find_slice_solutions(slice(), set.inside), {}});
   }
-
-  const JointRanges& ranges() const noexcept { return ranges_; }
 
   void add_to(SolutionNumbers& result) {
     double unknown = measure(static_cast<double>(grid_.cells_in_none()));
@@ -74,19 +68,21 @@ class NumberedGrid {
 
   std::optional<std::size_t> component_at(const JointVector& actuated) const noexcept {
     if (actuated.size() != static_cast<Eigen::Index>(slice_leg_count)) return std::nullopt;
-    const auto set = grid_.set_of(ranges_.values_of(actuated));
+    const auto set = grid_.set_of(ranges().values_of(actuated));
     return set ? sets_[*set].component : std::nullopt;
   }
 
  private:
+  const HeldSlice& slice() const noexcept { return *values_->slice; }
+  const JointRanges& ranges() const noexcept { return values_->ranges; }
   double measure(double cells) const noexcept { return cells * grid_.cell_measure(); }
 
   BasicComponent component(const GridSet& set, const std::vector<SliceSolution>& solutions) const {
     BasicComponent result;
-    result.inside = ranges_.actuated(set.inside);
+    result.inside = ranges().actuated(set.inside);
     for (const SliceSolution& solution : solutions) {
-      result.solutions.push_back(slice_->pose({solution.enclosure.center(0), solution.enclosure.center(1)}));
-      const auto mode = mode_of(solution);
+      result.solutions.push_back(values_->pose_of(solution.enclosure));
+      const auto mode = values_->mode_of(solution);
       result.aspects.push_back(map_ && mode ? aspect_at(*map_, result.solutions.back(), *mode) : 0);
     }
     result.measure = measure(static_cast<double>(set.cells) + set.cells_beside);
@@ -94,33 +90,42 @@ class NumberedGrid {
     return result;
   }
 
-  std::optional<WorkingMode> mode_of(const SliceSolution& solution) const {
-    const int held = slice_->held_sign(slice_->place(solution.enclosure));
-    if (held == 0 || solution.posture[0] == 0 || solution.posture[1] == 0) return std::nullopt;
-    WorkingMode mode(slice_leg_count);
-    mode.set_sign(held_.leg, held);
-    for (std::size_t i = 0; i < 2; ++i) mode.set_sign(slice_->leg(i), solution.posture[i]);
-    return mode;
-  }
-
   std::shared_ptr<const AspectMap> map_;
-  HeldJoint held_;
-  std::unique_ptr<const HeldSlice> slice_;
-  JointRanges ranges_;
+  std::shared_ptr<const SliceOfValues> values_;
   ValueGrid grid_;
   std::vector<CountedSet> sets_;
 };
 
 }  // namespace
 
-SolutionNumbers find_solution_numbers(const Manipulator& manipulator, const HeldJoint& held,
-                                      std::shared_ptr<const AspectMap> map, const MapControl& control) {
-  const RoundingUpward rounding;
-  const auto grid = std::make_shared<NumberedGrid>(manipulator, held, std::move(map), control);
+SliceOfValues::SliceOfValues(const Manipulator& manipulator, const HeldJoint& joint)
+    : held(joint), slice(make_held_slice(manipulator, held)), ranges(manipulator, held, *slice) {}
+
+std::optional<WorkingMode> SliceOfValues::mode_of(const SliceSolution& solution) const {
+  const int held_sign = slice->held_sign(slice->place(solution.enclosure));
+  if (held_sign == 0 || solution.posture[0] == 0 || solution.posture[1] == 0) return std::nullopt;
+  WorkingMode mode(slice_leg_count);
+  mode.set_sign(held.leg, held_sign);
+  for (std::size_t i = 0; i < 2; ++i) mode.set_sign(slice->leg(i), solution.posture[i]);
+  return mode;
+}
+
+Pose SliceOfValues::pose_of(const Box& solution) const {
+  return slice->pose({solution.center(0), solution.center(1)});
+}
+
+SolutionNumbers find_solution_numbers(const Manipulator& manipulator,
+                                      std::shared_ptr<const SliceOfValues> values,
+                                      std::shared_ptr<const AspectMap> map, const SeeStrip& see,
+                                      const MapControl& control) {
+  assert_rounding_upward();
+  const std::string unit = values->ranges.unit();
+  const auto grid =
+      std::make_shared<NumberedGrid>(manipulator, std::move(values), std::move(map), see, control);
   SolutionNumbers result;
   if (is_cancelled(control)) return result;
   result.has_regions = true;
-  result.region_unit = grid->ranges().unit();
+  result.region_unit = unit;
   grid->add_to(result);
   result.component_of = [grid](const JointVector& q) { return grid->component_at(q); };
   return result;

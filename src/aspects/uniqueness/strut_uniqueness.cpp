@@ -4,14 +4,14 @@
 #include "aspects/cusps/cusp_search.h"
 #include "aspects/cusps/planar_held_slice.h"
 #include "aspects/cusps/singular_images.h"
+#include "aspects/regions/basic_regions.h"
+#include "aspects/regions/uniqueness_domains.h"
+#include "aspects/solutions/actuated_space.h"
+#include "aspects/solutions/solution_regions.h"
 #include "aspects/solutions/strut_poses.h"
-#include "aspects/uniqueness/actuated_space.h"
-#include "aspects/uniqueness/basic_regions.h"
 #include "aspects/uniqueness/node_search.h"
 #include "aspects/uniqueness/number_table.h"
 #include "aspects/uniqueness/path_in_regions.h"
-#include "aspects/uniqueness/solution_regions.h"
-#include "aspects/uniqueness/uniqueness_domains.h"
 #include "interval/rounding.h"
 #include "model/angles.h"
 #include "parallel_aspects/kinematics/working_mode.h"
@@ -168,17 +168,12 @@ void find_domains(std::size_t most_cells, const MapControl& control, Uniqueness&
   const auto regions = divided<DividedRegions>(result.map, most_cells, control);
   for (const FoundRegion& region : regions->atlas.found().regions)
     result.basic_regions.push_back(region_of(*regions, region));
-  result.region_of = [regions](const Pose& pose) { return regions->region_at(pose); };
+  result.region_of = [regions](const Pose& pose, const WorkingMode& /*the only one*/) {
+    return regions->region_at(pose);
+  };
   if (!result.map->slice())
     result.regions_along = [regions](const std::vector<Pose>& path) { return regions_along(*regions, path); };
-  FoundDomains domains = find_uniqueness_domains(regions->atlas.found());
-  result.domains_complete = domains.complete;
-  for (auto& each : domains.domains) {
-    UniquenessDomain domain{result.basic_regions[each.front()].aspect, false, std::move(each), 0.0};
-    for (const std::size_t region : domain.basic_regions)
-      domain.measure_lower += result.basic_regions[region].measure_lower * rounded_down;
-    result.domains.push_back(std::move(domain));
-  }
+  add_domains(find_uniqueness_domains(regions->atlas.found()), result);
 }
 
 }  // namespace
@@ -196,6 +191,7 @@ void find_nodes(const std::vector<CuspBox>& cusps, const MapControl& control, Un
   std::vector<Box> about_cusps;
   for (const CuspBox& cusp : cusps) about_cusps.push_back(cusp.box);
   const NodeBoxes found = find_node_boxes(slice, about_cusps, control);
+  result.has_nodes = true;
   result.nodes_complete = !found.cancelled;
   for (const auto& [first, second] : found.undecided)
     if (within_limits(first) != Verdict::fails && within_limits(second) != Verdict::fails)

@@ -3,6 +3,7 @@
 
 #include "aspects/cusps/cusp_search.h"
 #include "aspects/cusps/held_slice.h"
+#include "aspects/uniqueness/slice_uniqueness.h"
 #include "aspects/uniqueness/solution_numbers.h"
 #include "aspects/uniqueness/strut_uniqueness.h"
 #include "aspects/uniqueness/uniqueness_problem.h"
@@ -91,12 +92,6 @@ class CuspsOfSlice {
 
 constexpr std::size_t default_most_cells = 250000;
 
-SolutionNumbers count(const Manipulator& manipulator, const HeldJoint& joint,
-                      const std::shared_ptr<const AspectMap>& map, const MapControl& control) {
-  if (has_elbows(manipulator)) return {};
-  return find_solution_numbers(manipulator, joint, map, control);
-}
-
 /// What robots of SE2 have in place of the theorem.
 void look_into(const Manipulator& manipulator, const UniquenessOptions& options, const MapControl& control,
                Uniqueness& result) {
@@ -111,10 +106,10 @@ void look_into(const Manipulator& manipulator, const UniquenessOptions& options,
   const std::size_t most_cells = options.most_cells.value_or(default_most_cells);
   if (has_struts_alone(manipulator)) {
     find_regions_of_struts(most_cells, control, result);
-  } else {
+  } else if (has_elbows(manipulator)) {
     result.domains_complete = false;
-    static_cast<SolutionNumbers&>(result) =
-        count(manipulator, *result.map->slice()->joint, result.map, control);
+  } else {
+    find_regions_of_slice(part_of(control, 0.3, 1.0), result);
   }
 }
 
@@ -134,7 +129,11 @@ CuspList find_cusps(const Manipulator& manipulator, const HeldJoint& joint, cons
 
 SolutionNumbers count_direct_solutions(const Manipulator& manipulator, const HeldJoint& joint,
                                        const MapControl& control) {
-  return count(manipulator, joint, nullptr, control);
+  if (has_elbows(manipulator)) return {};
+  const RoundingUpward rounding;
+  return find_solution_numbers(
+      manipulator, std::make_shared<const SliceOfValues>(manipulator, joint), nullptr,
+      [](const ValueStrip&) {}, control);
 }
 
 UniquenessResult compute_uniqueness(std::shared_ptr<const AspectMap> map, const UniquenessOptions& options,

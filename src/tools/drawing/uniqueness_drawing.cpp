@@ -54,7 +54,7 @@ class UniquenessDrawing {
             std::to_string(cells_of_numbers) + " x " + std::to_string(cells_of_numbers) +
             ". On the left, edges between colours that are not singular are characteristic curves.",
         "Dots: cusps" + words_for(uniqueness_.cusps_complete) +
-            (uniqueness_.has_domains
+            (uniqueness_.has_nodes
                  ? " Circles: nodes, with the two poses of each" + words_for(uniqueness_.nodes_complete)
                  : "") +
             " Curves are drawn for the eye."};

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -77,8 +78,12 @@ json json_numbers_of_solutions(const Manipulator& robot, const SolutionNumbers& 
   return object;
 }
 
-/// Index of the basic component that a basic region lies over; nothing where that is not proved.
+bool has_modes(const Manipulator& robot) { return working_modes(robot).size() > 1; }
+
+/// Index of the basic component that a basic region lies over; nothing where that is not proved, or where
+/// basic components are of several working modes at once and a region lies over more than one.
 std::optional<std::size_t> component_below(const Uniqueness& uniqueness, const BasicRegion& region) {
+  if (has_modes(*uniqueness.map->manipulator())) return std::nullopt;
   return uniqueness.component_of ? uniqueness.component_of(region.actuated) : std::nullopt;
 }
 
@@ -115,8 +120,6 @@ std::string components_text(const AspectMap& map) {
                shown_briefly(aspect.measure)});
   return table.text();
 }
-
-bool has_modes(const Manipulator& robot) { return working_modes(robot).size() > 1; }
 
 /// A column for each actuated joint, by its name and unit.
 std::vector<std::string> joint_titles(const Manipulator& robot) {
@@ -161,7 +164,7 @@ std::string cusps_text(const Uniqueness& uniqueness) {
 }
 
 std::string nodes_text(const Uniqueness& uniqueness) {
-  if (!uniqueness.has_domains || !uniqueness.map->slice()) return "";
+  if (!uniqueness.has_nodes) return "";
   const Manipulator& robot = *uniqueness.map->manipulator();
   std::string text = "\n" + counted(uniqueness.nodes.size(), "node") +
                      ", where two pairs of solutions meet, " +
@@ -206,18 +209,34 @@ std::string solutions_by_aspect(const BasicComponent& component) {
 // regions.
 constexpr double least_share = 1e-4;
 
-// Where no basic regions refer to them.
-constexpr std::size_t most_sets = 12;
-
-/// They are sorted: which of them are listed.
-std::size_t listed_components(const Uniqueness& uniqueness) {
-  const auto& components = uniqueness.basic_components;
-  if (!uniqueness.has_domains) return std::min(components.size(), most_sets);
+/// Sets, which are sorted: those that are not tiny.
+std::size_t worth_listing(const std::vector<BasicComponent>& components) {
   double all = 0.0;
   for (const BasicComponent& each : components) all += each.measure;
   std::size_t listed = 0;
   while (listed < components.size() && components[listed].measure >= least_share * all) ++listed;
   return listed;
+}
+
+// Longer lists are cut to so many; JSON has all of them.
+constexpr std::size_t longest_list = 40, most_of_long_list = 12;
+
+/// Which of these are listed, by index: all, or the largest.
+template <class Item>
+std::vector<std::size_t> listed_of(const std::vector<Item>& items) {
+  std::vector<std::size_t> result(items.size());
+  std::iota(result.begin(), result.end(), std::size_t{0});
+  if (items.size() <= longest_list) return result;
+  std::stable_sort(result.begin(), result.end(), [&](std::size_t a, std::size_t b) {
+    return items[a].measure_lower > items[b].measure_lower;
+  });
+  result.resize(most_of_long_list);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::string left_out_text(std::size_t all, std::size_t listed, const std::string& what) {
+  return listed < all ? counted(all - listed, "other " + what) + " left out\n" : "";
 }
 
 std::string basic_components_text(const Uniqueness& uniqueness) {
@@ -228,7 +247,8 @@ std::string basic_components_text(const Uniqueness& uniqueness) {
                                   ">measure [" + unit + "]"};
   for (std::string& title : joint_titles(*uniqueness.map->manipulator())) titles.push_back(std::move(title));
   TextTable table(titles);
-  const std::size_t listed = listed_components(uniqueness);
+  const std::size_t worth = worth_listing(components);
+  const std::size_t listed = worth > longest_list ? most_of_long_list : worth;
   for (std::size_t i = 0; i < listed; ++i) {
     std::vector<std::string> cells{std::to_string(i + 1), std::to_string(components[i].solutions.size()),
                                    solutions_by_aspect(components[i]), shown_briefly(components[i].measure)};
@@ -243,22 +263,30 @@ std::string basic_components_text(const Uniqueness& uniqueness) {
          table.text() + (listed < components.size() ? left_out : "");
 }
 
+/// The set that a region lies over: of several working modes as numbered in each.
+std::string set_below(const Uniqueness& uniqueness, const BasicRegion& region) {
+  if (has_modes(*uniqueness.map->manipulator())) return std::to_string(region.over + 1);
+  const auto below = component_below(uniqueness, region);
+  return below ? std::to_string(*below + 1) : "?";
+}
+
 /// What lies over each connected set of actuated values.
 std::string basic_regions_text(const Uniqueness& uniqueness) {
   if (!uniqueness.has_domains) return "";
-  TextTable table({">basic region", part_name(*uniqueness.map, ">"), ">over set",
+  const Manipulator& robot = *uniqueness.map->manipulator();
+  TextTable table({">basic region", part_name(*uniqueness.map, ">"),
+                   has_modes(robot) ? ">over set of its mode" : ">over set",
                    ">actuated values [" + uniqueness.region_unit + "], at least", "unique", "a pose of it",
                    ">domains"});
-  const TaskSpace space = uniqueness.map->manipulator()->task_space();
-  for (std::size_t i = 0; i < uniqueness.basic_regions.size(); ++i) {
+  const std::vector<std::size_t> listed = listed_of(uniqueness.basic_regions);
+  for (const std::size_t i : listed) {
     const BasicRegion& region = uniqueness.basic_regions[i];
-    const auto below = component_below(uniqueness, region);
-    table.add({std::to_string(i + 1), std::to_string(region.aspect), below ? std::to_string(*below + 1) : "?",
+    table.add({std::to_string(i + 1), std::to_string(region.aspect), set_below(uniqueness, region),
                shown_bound(region.measure_lower, Side::below), region.is_unique ? "proved" : "not proved",
-               to_string(space, region.pose), std::to_string(uniqueness.domains_of(i).size())});
+               to_string(robot.task_space(), region.pose), std::to_string(uniqueness.domains_of(i).size())});
   }
   return "\nbasic regions, each a connected set of poses over a connected set of actuated values\n" +
-         table.text();
+         table.text() + left_out_text(uniqueness.basic_regions.size(), listed.size(), "region");
 }
 
 std::string regions_of_domain(const UniquenessDomain& domain) {
@@ -272,13 +300,15 @@ std::string domains_text(const Uniqueness& uniqueness) {
   if (!uniqueness.has_domains) return "";
   TextTable table({">domain", part_name(*uniqueness.map, ">"), ">basic regions",
                    ">actuated values [" + uniqueness.region_unit + "], at least"});
-  for (std::size_t i = 0; i < uniqueness.domains.size(); ++i) {
+  const std::vector<std::size_t> listed = listed_of(uniqueness.domains);
+  for (const std::size_t i : listed) {
     const UniquenessDomain& domain = uniqueness.domains[i];
     table.add({std::to_string(i + 1), std::to_string(domain.aspect), regions_of_domain(domain),
                shown_bound(domain.measure_lower, Side::below)});
   }
   return "\nuniqueness domains, which overlap" +
-         std::string(uniqueness.domains_complete ? "" : " and of which there are more") + "\n" + table.text();
+         std::string(uniqueness.domains_complete ? "" : " and of which there are more") + "\n" +
+         table.text() + left_out_text(uniqueness.domains.size(), listed.size(), "domain");
 }
 
 std::string headline(const Uniqueness& uniqueness) {

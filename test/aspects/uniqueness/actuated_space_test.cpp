@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/actuated_space.h"
+#include "aspects/solutions/actuated_space.h"
 
-#include "aspects/uniqueness/solution_regions.h"
+#include "aspects/solutions/solution_regions.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_UNIQUENESS_DOMAINS_H
-#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_UNIQUENESS_DOMAINS_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_REGIONS_UNIQUENESS_DOMAINS_H
+#define PARALLEL_ASPECTS_ASPECTS_REGIONS_UNIQUENESS_DOMAINS_H
 
-#include "aspects/uniqueness/basic_regions.h"
+#include "aspects/regions/found_regions.h"
 
 #include <cstddef>
 #include <vector>
@@ -21,4 +21,4 @@ FoundDomains find_uniqueness_domains(const FoundRegions& found);
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_UNIQUENESS_DOMAINS_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_REGIONS_UNIQUENESS_DOMAINS_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/solution_regions.h"
+#include "aspects/solutions/solution_regions.h"
 
 #include "aspects/solutions/solution_search.h"
 

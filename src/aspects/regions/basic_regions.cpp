@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/basic_regions.h"
+#include "aspects/regions/basic_regions.h"
 
 #include "aspects/solutions/solution_search.h"
 #include "interval/rounding.h"
@@ -30,19 +30,14 @@ LinksByPiece links_by_piece(const ActuatedSpace& space) {
 
 std::size_t count_of(const SolutionSet& set) { return set.solutions ? set.solutions->size() : 0; }
 
-/// Whether each solution is in an aspect of its own.
-bool have_own_aspects(const std::vector<int>& aspects) {
-  const std::set<int> different(aspects.begin(), aspects.end());
-  return different.size() == aspects.size() && different.count(0) == 0;
-}
-
 }  // namespace
 
 RegionAtlas::RegionAtlas(const StrutSlice& slice, const ActuatedSpace& space,
                          const std::vector<SolutionSet>& sets, AspectOfSolution aspect_of,
                          const MapControl& control)
     : slice_(slice),
-      tracker_(slice),
+      equations_(slice),
+      tracker_(equations_),
       space_(space),
       sets_(sets),
       aspect_of_(std::move(aspect_of)),
@@ -58,34 +53,21 @@ RegionAtlas::RegionAtlas(const StrutSlice& slice, const ActuatedSpace& space,
   result_.neighbours.assign(neighbours_.begin(), neighbours_.end());
 }
 
-// With one solution in each aspect there is nothing that it could lead to but itself.
 void RegionAtlas::find_regions(const MapControl& control) {
   double done = 0.0;
   for (std::size_t s = 0; s < sets_.size() && !is_cancelled(control); ++s) {
     done += static_cast<double>(sets_[s].pieces.size());
     if (count_of(sets_[s]) == 0) continue;
-    std::vector<int> aspects;
-    for (const Box& box : *sets_[s].solutions) aspects.push_back(aspect_of_(box, sets_[s].inside));
-    if (!have_own_aspects(aspects)) lifts_[s].emplace(slice_, space_, links_, sets_[s], control);
-    add_regions(s, aspects);
-    if (control.progress) control.progress(done / static_cast<double>(set_of_.size()));
-  }
-}
-
-void RegionAtlas::add_regions(std::size_t s, const std::vector<int>& aspects) {
-  region_of_[s].resize(aspects.size());
-  std::map<std::size_t, std::size_t> sizes;
-  const auto label = [&](std::size_t k) { return lifts_[s] ? lifts_[s]->label(k) : k; };
-  for (std::size_t k = 0; k < aspects.size(); ++k) ++sizes[label(k)];
-  for (std::size_t k = 0; k < aspects.size(); ++k) {
-    if (label(k) != k) {
-      region_of_[s][k] = region_of_[s][label(k)];
-      continue;
+    RegionsOfSet of{s, {}, {}, true, sets_[s].measure};
+    for (const Box& box : *sets_[s].solutions) of.aspects.push_back(aspect_of_(box, sets_[s].inside));
+    if (!have_own_aspects(of.aspects)) {
+      const SolutionLift& lift = lifts_[s].emplace(tracker_, space_, links_, sets_[s], control);
+      for (std::size_t k = 0; k < of.aspects.size(); ++k) of.labels.push_back(lift.label(k));
+      of.is_consistent = lift.is_consistent();
+      of.measure = lift.measure();
     }
-    region_of_[s][k] = result_.regions.size();
-    const bool is_unique = aspects[k] != 0 && sizes[k] == 1 && (!lifts_[s] || lifts_[s]->is_consistent());
-    result_.regions.push_back(
-        {s, k, aspects[k], is_unique, lifts_[s] ? lifts_[s]->measure() : sets_[s].measure});
+    region_of_[s] = add_regions(of, result_);
+    if (control.progress) control.progress(done / static_cast<double>(set_of_.size()));
   }
 }
 

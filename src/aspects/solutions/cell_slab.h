@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_CELL_SLAB_H
-#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_CELL_SLAB_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_CELL_SLAB_H
+#define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_CELL_SLAB_H
 
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/box.h"
@@ -40,4 +40,4 @@ std::array<double, 3> point_beside(const Box& cell, const std::array<double, 3>&
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_CELL_SLAB_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_CELL_SLAB_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/uniqueness_domains.h"
+#include "aspects/regions/uniqueness_domains.h"
 
 #include "parallel_aspects/aspects/uniqueness.h"
 

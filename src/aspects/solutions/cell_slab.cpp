@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/cell_slab.h"
+#include "aspects/solutions/cell_slab.h"
 
 #include "interval/scalar_range.h"
 

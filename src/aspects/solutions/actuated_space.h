@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_ACTUATED_SPACE_H
-#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_ACTUATED_SPACE_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_ACTUATED_SPACE_H
+#define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_ACTUATED_SPACE_H
 
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/cusps/singular_images.h"
@@ -123,4 +123,4 @@ ValueBox half_squares(const Box& lengths) noexcept;
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_ACTUATED_SPACE_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_ACTUATED_SPACE_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/solution_lift.h"
+#include "aspects/regions/solution_lift.h"
 
 #include "interval/rounding.h"
 
@@ -10,9 +10,9 @@
 
 namespace parallel_aspects {
 
-SolutionLift::SolutionLift(const StrutSlice& slice, const ActuatedSpace& space, const LinksByPiece& links,
-                           const SolutionSet& set, const MapControl& control)
-    : tracker_(slice), space_(space), links_(links), set_(set), same_(set.solutions->size()) {
+SolutionLift::SolutionLift(const SolutionTracker& tracker, const ActuatedSpace& space,
+                           const LinksByPiece& links, const SolutionSet& set, const MapControl& control)
+    : tracker_(tracker), space_(space), links_(links), set_(set), same_(set.solutions->size()) {
   assert_rounding_upward();
   spread(control);
   compare_links(control);

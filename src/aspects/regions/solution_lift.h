@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_SOLUTION_LIFT_H
-#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_SOLUTION_LIFT_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_REGIONS_SOLUTION_LIFT_H
+#define PARALLEL_ASPECTS_ASPECTS_REGIONS_SOLUTION_LIFT_H
 
 #include "aspects/components/disjoint_sets.h"
-#include "aspects/uniqueness/actuated_space.h"
-#include "aspects/uniqueness/solution_regions.h"
-#include "aspects/uniqueness/solution_tracker.h"
+#include "aspects/solutions/actuated_space.h"
+#include "aspects/solutions/solution_regions.h"
+#include "aspects/solutions/solution_tracker.h"
 #include "parallel_aspects/aspects/map_control.h"
 
 #include <cstddef>
@@ -28,7 +28,7 @@ class SolutionLift {
   using Solutions = std::vector<Box>;
 
   /// What it is given must outlive it.
-  SolutionLift(const StrutSlice& slice, const ActuatedSpace& space, const LinksByPiece& links,
+  SolutionLift(const SolutionTracker& tracker, const ActuatedSpace& space, const LinksByPiece& links,
                const SolutionSet& set, const MapControl& control);
 
   /// At the point of a piece, in the order of the set; null where they were not followed to.
@@ -55,7 +55,7 @@ class SolutionLift {
   std::optional<Solutions> followed(const Solutions& solutions, const Lengths& from, const Lengths& to) const;
   bool is_whole(PieceIndex piece) const { return space_.pieces()[piece].side == 0; }
 
-  SolutionTracker tracker_;
+  const SolutionTracker& tracker_;
   const ActuatedSpace& space_;
   const LinksByPiece& links_;
   const SolutionSet& set_;
@@ -70,4 +70,4 @@ class SolutionLift {
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_SOLUTION_LIFT_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_REGIONS_SOLUTION_LIFT_H

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_BASIC_REGIONS_H
-#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_BASIC_REGIONS_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_REGIONS_BASIC_REGIONS_H
+#define PARALLEL_ASPECTS_ASPECTS_REGIONS_BASIC_REGIONS_H
 
-#include "aspects/uniqueness/actuated_space.h"
-#include "aspects/uniqueness/solution_lift.h"
-#include "aspects/uniqueness/solution_regions.h"
-#include "aspects/uniqueness/solution_tracker.h"
+#include "aspects/regions/found_regions.h"
+#include "aspects/regions/solution_lift.h"
+#include "aspects/solutions/actuated_space.h"
+#include "aspects/solutions/solution_regions.h"
+#include "aspects/solutions/solution_tracker.h"
+#include "aspects/solutions/strut_equations.h"
 
 #include <cstddef>
 #include <functional>
@@ -16,25 +18,6 @@
 #include <vector>
 
 namespace parallel_aspects {
-
-/// The poses that one solution of a set of actuated values moves through as these move all over the set.
-struct FoundRegion {
-  std::size_t set = 0;       ///< index of the set
-  std::size_t solution = 0;  ///< index of the solution, in the set
-  int aspect = 0;            ///< id
-  /// Proved: no two of its poses over what was followed have the same actuated values; or over any piece of
-  /// the set, where the aspect has one solution there.
-  bool is_unique = false;
-  double measure = 0.0;  ///< of the actuated values of these, a lower bound [m^2 or m^3]
-};
-
-/// The basic regions of all aspects, and which of them are neighbours: a path of regular poses, which is
-/// proved, leads from one to the other.
-struct FoundRegions {
-  std::vector<FoundRegion> regions;
-  std::vector<std::pair<std::size_t, std::size_t>>
-      neighbours;  ///< indices, the smaller first; each pair once
-};
 
 /// The aspect of the solution in a box, for these lengths; 0 where nobody can tell.
 using AspectOfSolution = std::function<int(const Box&, const Lengths&)>;
@@ -57,13 +40,13 @@ class RegionAtlas {
   using Solutions = SolutionLift::Solutions;
 
   void find_regions(const MapControl& control);
-  void add_regions(std::size_t s, const std::vector<int>& aspects);
   std::optional<std::size_t> region_in(std::size_t s, int aspect) const;
   std::map<SetPair, std::vector<const SpaceCell*>> cells_between() const;
   std::vector<std::pair<Box, std::size_t>> solutions_at(PieceIndex piece) const;
   void cross(const SetPair& pair, const SpaceCell& cell);
 
   const StrutSlice& slice_;
+  StrutEquations equations_;
   SolutionTracker tracker_;
   const ActuatedSpace& space_;
   const std::vector<SolutionSet>& sets_;
@@ -78,4 +61,4 @@ class RegionAtlas {
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_BASIC_REGIONS_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_REGIONS_BASIC_REGIONS_H

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_SOLUTION_REGIONS_H
-#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_SOLUTION_REGIONS_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_SOLUTION_REGIONS_H
+#define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_SOLUTION_REGIONS_H
 
 #include "aspects/cusps/strut_slice.h"
-#include "aspects/uniqueness/actuated_space.h"
+#include "aspects/solutions/actuated_space.h"
 #include "parallel_aspects/aspects/map_control.h"
 
 #include <optional>
@@ -29,4 +29,4 @@ std::vector<SolutionSet> find_solution_sets(const StrutSlice& slice, ActuatedSpa
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_SOLUTION_REGIONS_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_SOLUTION_REGIONS_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/actuated_space.h"
+#include "aspects/solutions/actuated_space.h"
 
+#include "aspects/solutions/cell_slab.h"
 #include "aspects/tree/box_parts.h"
-#include "aspects/uniqueness/cell_slab.h"
 #include "interval/scalar_range.h"
 
 #include <algorithm>

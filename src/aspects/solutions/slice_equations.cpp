@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/solutions/slice_equations.h"
+
+#include "aspects/cusps/jet.h"
+#include "interval/scalar_range.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace parallel_aspects {
+
+PairOverBox pair_over(const LegsAt& legs, const SlicePlace& place) {
+  PairOverBox pair;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Jet<1> g = legs[i].equation.jet<1>(place.over());
+    pair.center[i] = legs[i].equation.jet<0>(place.center()).value();
+    pair.jacobian[i] = {g.at(1, 0), g.at(0, 1)};
+  }
+  return pair;
+}
+
+PairOverBox SliceEquations::over(const Box& box, const std::array<Interval, 2>& values) const {
+  return pair_over({slice_.leg_at(0, values[0]), slice_.leg_at(1, values[1])}, slice_.place(box));
+}
+
+PairOverBox SliceEquations::at(const Box& box, const ActuatedValues& values) const {
+  return over(box, {values[0], values[1]});
+}
+
+LegsAt SliceEquations::legs_between(const ActuatedValues& from, const ActuatedValues& to) const {
+  LegsAt legs;
+  for (std::size_t i = 0; i < 2; ++i)
+    legs[i] = slice_.leg_at(i, Interval(std::min(from[i], to[i]), std::max(from[i], to[i])));
+  return legs;
+}
+
+bool SliceEquations::keeps_mode(const Box& box, const ActuatedValues& from, const ActuatedValues& to) const {
+  const SlicePlace place = slice_.place(box);
+  const LegsAt legs = legs_between(from, to);
+  return slice_.held_sign(place) != 0 && std::none_of(legs.begin(), legs.end(), [&](const auto& leg) {
+           return may_vanish(leg.slope.template jet<0>(place.over()).value());
+         });
+}
+
+// In the middle of the box g(m + t h) is  g(m) + t h g'  with g' of all values between.
+PairOverBox SliceEquations::between(const Box& box, const ActuatedValues& from,
+                                    const ActuatedValues& to) const {
+  const SlicePlace place = slice_.place(box);
+  const LegsAt all = legs_between(from, to);
+  PairOverBox pair = pair_over(all, place);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Interval middle = Interval(0.5) * (Interval(from[i]) + Interval(to[i]));
+    const Interval half = Interval(0.5) * (Interval(to[i]) - Interval(from[i]));
+    const Interval slope = all[i].slope.jet<0>(place.center()).value();
+    const Interval drift = half * Interval(middle_of(slope));
+    pair.center[i] = slice_.leg_at(i, middle).equation.jet<0>(place.center()).value() +
+                     (half * slope - drift) * Interval(-1.0, 1.0);
+    pair.drift[i] = -drift;
+  }
+  return pair;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_SOLUTION_EQUATIONS_H
+#define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_SOLUTION_EQUATIONS_H
+
+#include "aspects/zeros/krawczyk.h"
+#include "parallel_aspects/aspects/box.h"
+
+#include <array>
+
+namespace parallel_aspects {
+
+/// Values of both joints that move in a slice, and of a family of slices that which is held [m or rad].
+using ActuatedValues = std::array<double, 3>;
+
+/// The two equations that direct solutions solve. All of it needs a live `RoundingUpward`.
+class SolutionEquations {
+ public:
+  virtual ~SolutionEquations() = default;
+
+  /// Over a box, at these values.
+  virtual PairOverBox at(const Box& box, const ActuatedValues& values) const = 0;
+
+  /// Over a box, for all values on the line between two: there the parameter of the drift is -1 and 1.
+  virtual PairOverBox between(const Box& box, const ActuatedValues& from, const ActuatedValues& to) const = 0;
+
+  /// Whether no leg is stretched or folded in the box at any of these values.
+  virtual bool keeps_mode(const Box& box, const ActuatedValues& from, const ActuatedValues& to) const = 0;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_SOLUTION_EQUATIONS_H
