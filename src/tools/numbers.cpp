@@ -55,14 +55,14 @@ double parse_positive(const std::string& option, const std::string& text, Proble
   return value.value_or(0.0);
 }
 
-unsigned parse_count(const std::string& option, const std::string& text, unsigned largest,
-                     Problems& problems) {
+unsigned parse_count(const std::string& option, const std::string& text, unsigned largest, Problems& problems,
+                     unsigned least) {
   const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
   const double value = digits ? finite_number(text).value_or(largest + 1.0) : largest + 1.0;
-  if (value <= largest) return static_cast<unsigned>(value);
-  problems.push_back(option + " is '" + text + "'; give a whole number from 0 to " + std::to_string(largest) +
-                     ".");
-  return 0;
+  if (value >= least && value <= largest) return static_cast<unsigned>(value);
+  problems.push_back(option + " is '" + text + "'; give a whole number from " + std::to_string(least) +
+                     " to " + std::to_string(largest) + ".");
+  return least;
 }
 
 std::vector<double> parse_numbers(const std::string& option, const std::string& text,

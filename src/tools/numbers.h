@@ -15,9 +15,9 @@ namespace parallel_aspects::tools {
 /// A finite number greater than zero.
 double parse_positive(const std::string& option, const std::string& text, Problems& problems);
 
-/// A whole number from 0 to `largest`.
-unsigned parse_count(const std::string& option, const std::string& text, unsigned largest,
-                     Problems& problems);
+/// A whole number from `least` to `largest`.
+unsigned parse_count(const std::string& option, const std::string& text, unsigned largest, Problems& problems,
+                     unsigned least = 0);
 
 /// One finite number for each of `names`, separated by blanks or commas.
 std::vector<double> parse_numbers(const std::string& option, const std::string& text,

@@ -59,5 +59,15 @@ TEST(Numbers, CountsStopAtTheLargest) {
   EXPECT_EQ(problems.size(), 2U);
 }
 
+TEST(Numbers, CountsBeginAtTheLeast) {
+  Problems problems;
+  EXPECT_EQ(parse_count("--samples", "1", 8, problems, 1), 1U);
+  EXPECT_TRUE(problems.empty());
+  for (const char* text : {"0", "-5", "some"}) parse_count("--samples", text, 8, problems, 1);
+  ASSERT_EQ(problems.size(), 3U);
+  EXPECT_EQ(problems[0], "--samples is '0'; give a whole number from 1 to 8.");
+  EXPECT_EQ(problems[1], "--samples is '-5'; give a whole number from 1 to 8.");
+}
+
 }  // namespace
 }  // namespace parallel_aspects::tools
