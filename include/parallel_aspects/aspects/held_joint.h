@@ -46,8 +46,10 @@ AnchorCircle circle_of_anchor(const Manipulator& manipulator, const HeldJoint& j
 /// Why a map can not hold the joint there; empty where it can.
 std::string find_held_joint_problem(const Manipulator& manipulator, const HeldJoint& joint);
 
-/// Why the joint of a leg of SE2 or SO3 can not be held there; empty where it can.
-std::string find_held_value_problem(const Manipulator& manipulator, const HeldJoint& joint);
+/// Why the joint of a leg of SE2 or SO3 can not be held there; empty where it can. `holder` begins the
+/// message.
+std::string find_held_value_problem(const Manipulator& manipulator, const HeldJoint& joint,
+                                    const std::string& holder = "The slice");
 
 }  // namespace parallel_aspects
 

@@ -89,21 +89,22 @@ std::string find_held_joint_problem(const Manipulator& manipulator, const HeldJo
   return find_held_value_problem(manipulator, joint);
 }
 
-std::string find_held_value_problem(const Manipulator& manipulator, const HeldJoint& joint) {
+std::string find_held_value_problem(const Manipulator& manipulator, const HeldJoint& joint,
+                                    const std::string& holder) {
   if (joint.leg >= manipulator.leg_count())
-    return "The slice holds the joint of a leg that '" + manipulator.name() + "' does not have.";
+    return holder + " holds the joint of a leg that '" + manipulator.name() + "' does not have.";
   if (manipulator.tolerance() > 0.0)
     return "A slice that holds a joint has other poses for each robot within a tolerance; leave the "
            "tolerance "
            "out, or hold pose coordinates.";
   const Leg& leg = manipulator.leg(joint.leg);
   const std::string start =
-      "The slice holds '" + leg.actuated_joint + "' at " + number_text(joint.value) + ", ";
+      holder + " holds '" + leg.actuated_joint + "' at " + number_text(joint.value) + ", ";
   if (leg.kind().type == LegType::elbow)
-    return "The slice holds '" + leg.actuated_joint +
+    return holder + " holds '" + leg.actuated_joint +
            "', which is an actuated elbow; hold the joint of a crank, slide or strut.";
   if (!std::isfinite(joint.value))
-    return "The slice holds '" + leg.actuated_joint + "' at no finite number; give one.";
+    return holder + " holds '" + leg.actuated_joint + "' at no finite number; give one.";
   if (!leg.limits.contain(joint.value))
     return start + "outside of its limits, " + number_text(leg.limits.lower) + " to " +
            number_text(leg.limits.upper) + "; hold it inside.";

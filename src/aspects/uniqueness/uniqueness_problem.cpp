@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/uniqueness/uniqueness_problem.h"
 
+#include "aspects/tree/held_joint_example.h"
 #include "model/angles.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/uniqueness.h"
@@ -24,25 +25,38 @@ std::string other_constraints(const Manipulator& manipulator) {
 }
 
 std::string find_slice_to_hold(const Manipulator& manipulator) {
+  const std::string example = example_of_held_joint(manipulator);
+  if (example.empty())
+    return "In SE2 actuated values are looked at in slices that hold an actuated joint, and " +
+           in_quotes(manipulator.name()) + " has none that can be held.";
   return "In SE2 actuated values are looked at in slices; give one that holds an actuated joint, such as " +
-         manipulator.leg(0).actuated_joint + ".";
+         example + ".";
+}
+
+std::string find_tolerance_problem(const Manipulator& manipulator, const std::string& what) {
+  if (manipulator.tolerance() == 0.0) return "";
+  return what + " are of a robot without tolerances, and " + in_quotes(manipulator.name()) +
+         " has some; leave them out.";
+}
+
+/// The struts that may become as long as they like.
+std::string struts_without_limit(const Manipulator& manipulator) {
+  std::string text;
+  for (const Leg& leg : manipulator.legs())
+    if (!std::isfinite(leg.has_branch(1) ? leg.limits.upper : leg.limits.lower))
+      text += (text.empty() ? "" : ", ") + in_quotes(leg.actuated_joint);
+  return text;
 }
 
 /// Of all poses: three struts, none of which may become as long as it likes.
 std::string find_problem_without_slice(const Manipulator& manipulator) {
   if (!has_struts_alone(manipulator)) return find_slice_to_hold(manipulator);
-  const bool bounded = std::all_of(manipulator.legs().begin(), manipulator.legs().end(), [](const Leg& leg) {
-    return std::isfinite(leg.has_branch(1) ? leg.limits.upper : leg.limits.lower);
-  });
-  if (manipulator.tolerance() > 0.0)
-    return "Numbers of direct solutions are of a robot without tolerances, and '" + manipulator.name() +
-           "' has some; leave them out.";
-  if (bounded) return "";
+  const std::string unlimited = struts_without_limit(manipulator);
+  if (unlimited.empty()) return "";
   return "All poses of " + in_quotes(manipulator.name()) +
-         " are looked at within limits of its struts, and one of these has none. Give limits, or a slice "
-         "that "
-         "holds an actuated joint, such as " +
-         manipulator.leg(0).actuated_joint + ".";
+         " are looked at within limits of its struts, but nothing limits how long " + unlimited +
+         " may become. Give limits, or a slice that holds an actuated joint, such as " +
+         example_of_held_joint(manipulator) + ".";
 }
 
 std::string find_problem_of_slice(const Manipulator& manipulator, const MapSlice& slice) {
@@ -61,6 +75,8 @@ std::string find_constraint_problem(const Manipulator& manipulator) {
 }
 
 std::string find_problem_in_se2(const Manipulator& manipulator, const UniquenessOptions& options) {
+  const std::string tolerance = find_tolerance_problem(manipulator, "Numbers of direct solutions");
+  if (!tolerance.empty()) return tolerance;
   const std::string problem = options.slice ? find_problem_of_slice(manipulator, *options.slice)
                                             : find_problem_without_slice(manipulator);
   return problem.empty() ? find_constraint_problem(manipulator) : problem;
@@ -101,12 +117,19 @@ bool has_elbows(const Manipulator& manipulator) noexcept {
 std::string find_held_range_problem(const Manipulator& manipulator, const HeldRange& range) {
   const std::string none = find_why_without_cusps(manipulator);
   if (!none.empty()) return none;
-  if (!std::isfinite(range.lower) || !std::isfinite(range.upper))
-    return "The joint that is held has no limits on both sides; give the ends of a range.";
+  if (manipulator.task_space() != TaskSpace::SE2)
+    return "Curves of cusps are followed in SE2, and " + in_quotes(manipulator.name()) + " moves in " +
+           std::string(name(manipulator.task_space())) + ".";
+  const std::string tolerance = find_tolerance_problem(manipulator, "Cusps");
+  if (!tolerance.empty()) return tolerance;
+  if (range.leg < manipulator.leg_count() && !(std::isfinite(range.lower) && std::isfinite(range.upper)))
+    return in_quotes(manipulator.leg(range.leg).actuated_joint) +
+           " has no limits on both sides; give the ends of a range, such as " +
+           example_of_held_range(manipulator, range.leg) + ".";
   if (!(range.lower < range.upper))
     return "The lower end of the range of the joint that is held is not below the upper; give two values.";
   for (const double value : {range.lower, range.upper}) {
-    const std::string problem = find_held_joint_problem(manipulator, {range.leg, value, false});
+    const std::string problem = find_held_value_problem(manipulator, {range.leg, value, false}, "The range");
     if (!problem.empty()) return problem;
   }
   if (manipulator.leg(range.leg).actuated_by_angle() && range.upper - range.lower > full_turn)
@@ -120,9 +143,8 @@ std::string find_cusps_problem(const Manipulator& manipulator, const HeldJoint& 
   if (manipulator.task_space() == TaskSpace::SE3)
     return "With one joint held the cusps of " + in_quotes(manipulator.name()) +
            " are no points, since it moves in SE3; they are listed in SE2 and SO3.";
-  if (manipulator.tolerance() > 0.0)
-    return "Cusps are of a robot without tolerances, and " + in_quotes(manipulator.name()) +
-           " has some; leave them out.";
+  const std::string tolerance = find_tolerance_problem(manipulator, "Cusps");
+  if (!tolerance.empty()) return tolerance;
   const std::string problem = find_held_value_problem(manipulator, joint);
   return problem.empty() ? find_constraint_problem(manipulator) : problem;
 }

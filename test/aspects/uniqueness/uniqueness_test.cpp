@@ -172,11 +172,11 @@ TEST(Uniqueness, RefusesWhatItHasNoAnswerFor) {
   const auto problem = [](const Robot& robot, const UniquenessOptions& options) {
     return compute_uniqueness(robot, options).message;
   };
-  EXPECT_NE(problem(unlimited_three_rpr(), {}).find("one of these has none"), std::string::npos);
+  EXPECT_NE(problem(unlimited_three_rpr(), {}).find("nothing limits how long 'leg_"), std::string::npos);
   UniquenessOptions options;
   options.slice = test::slice_of(test::three_rpr(), {{"phi", 0.0}});
   EXPECT_NE(problem(test::three_rpr(), options).find("holds an actuated joint"), std::string::npos);
-  EXPECT_NE(problem(test::three_rrr(), {}).find("such as leg_1_joint"), std::string::npos);
+  EXPECT_NE(problem(test::three_rrr(), {}).find("such as \"leg_1_joint="), std::string::npos);
   EXPECT_NE(problem(test::stewart(), {}).find("moves in SE3"), std::string::npos);
 }
 
