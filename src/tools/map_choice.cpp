@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/map_choice.h"
 
+#include "model/task_space_traits.h"
 #include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/map_file.h"
@@ -32,6 +33,8 @@ std::vector<Option> map_choice_options(MapChoice& choice, const std::string& sli
 
 namespace {
 
+constexpr int pose_digits = 10;  // to be typed again
+
 Pose nearest_of(const MapSlice& slice, const Manipulator& manipulator, const Pose& pose) {
   if (slice.joint) return circle_of_anchor(manipulator, *slice.joint).nearest(pose);
   Pose nearest = pose;
@@ -50,14 +53,29 @@ double distance_to(const MapSlice& slice, const Manipulator& manipulator, const 
       manipulator.characteristic_length() * pose.orientation.angularDistance(nearest.orientation));
 }
 
+/// How far a pose of the slice is from it at most once its numbers are rounded as tables have them, to six
+/// digits: each then differs by half a unit of the last one.
+double tolerance_at(const Manipulator& manipulator, const Pose& pose) {
+  constexpr double rounding = 5.0001e-6;  // of a number at most, and as it is rounded itself
+  constexpr double largest_share = 1e-4;  // of the robot's size, however far off its frame is
+  const PoseCoordinates coordinates = pose_coordinates(manipulator.task_space(), pose);
+  const Eigen::Index moves = traits(manipulator.task_space()).translations;
+  const double lengths = coordinates.head(moves).lpNorm<1>(),
+               turned = coordinates.tail(coordinates.size() - moves).lpNorm<1>();
+  // A quaternion turns by twice as much as its numbers differ, and no anchor is much farther out than this.
+  const double rounded = rounding * (lengths + 2.0 * manipulator.characteristic_length() * turned);
+  return held_joint_tolerance + std::min(rounded, largest_share * manipulator.size());
+}
+
 double put_onto_slice(const MapSlice& slice, const Manipulator& manipulator, const NamedPose& end,
                       Problems& problems) {
   const Pose nearest = nearest_of(slice, manipulator, *end.pose);
   const double distance = distance_to(slice, manipulator, *end.pose);
-  if (!(distance <= held_joint_tolerance))
+  const double tolerance = tolerance_at(manipulator, *end.pose);
+  if (!(distance <= tolerance))
     problems.push_back(end.option + " lies " + shown(distance) + " m from the slice " + to_string(slice) +
-                       "; give a pose within " + shown(held_joint_tolerance) + " m of it. The nearest is " +
-                       to_string(manipulator.task_space(), nearest) + ".");
+                       "; give a pose within " + shown_briefly(tolerance) + " m of it. The nearest is \"" +
+                       pose_argument(manipulator.task_space(), nearest, pose_digits) + "\".");
   if (distance > 0.0) *end.pose = nearest;
   return distance;
 }

@@ -66,11 +66,11 @@ nlohmann::json json_indices(const SingularityIndices& indices) {
 
 std::string shown(double value) { return with_digits(value, 6); }
 
-std::string pose_argument(TaskSpace space, const Pose& pose) {
+std::string pose_argument(TaskSpace space, const Pose& pose, int digits) {
   const PoseCoordinates coordinates = pose_coordinates(space, pose);
   std::string text;
   for (Eigen::Index k = 0; k < coordinates.size(); ++k)
-    text += (k == 0 ? "" : " ") + shown(without_noise(coordinates[k]));
+    text += (k == 0 ? "" : " ") + with_digits(without_noise(coordinates[k]), digits);
   return text;
 }
 
