@@ -113,7 +113,17 @@ std::string part_name(const AspectMap& map, const std::string& before) {
   return before + (map.slice() ? "component" : "aspect");
 }
 
+/// Why there are none.
+std::string no_components_text(const AspectMap& map) {
+  const double undecided = map.measure_undecided();
+  if (undecided > 0.0)
+    return "No pose is proved to lie in one; " + shown_bound(undecided, Side::above) + " " + map.unit() +
+           " are undecided, over all working modes.\n";
+  return "Proved: no pose is reached within the limits.\n";
+}
+
 std::string components_text(const AspectMap& map) {
+  if (map.aspects().empty()) return no_components_text(map);
   TextTable table({part_name(map, ">"), "working mode", "det A", ">measure [" + map.unit() + "]"});
   for (const Aspect& aspect : map.aspects())
     table.add({std::to_string(aspect.id), to_string(aspect.mode), aspect.determinant_sign > 0 ? "+" : "-",
@@ -191,7 +201,8 @@ std::string regions_text(const SolutionNumbers& uniqueness) {
                shown_bound(region.measure_lower, Side::below),
                shown_bound(region.measure_upper, Side::above)});
   return "\nactuated values by their number of direct solutions, which is not proved on " +
-         shown_bound(uniqueness.measure_unknown, Side::above) + " " + unit + "\n" + table.text();
+         shown_bound(uniqueness.measure_unknown, Side::above) + " " + unit + "\n" +
+         (uniqueness.regions.empty() ? "" : table.text());
 }
 
 /// The number of direct solutions in each aspect, by its id; `?` where the map cannot tell.
@@ -242,6 +253,7 @@ std::string left_out_text(std::size_t all, std::size_t listed, const std::string
 std::string basic_components_text(const Uniqueness& uniqueness) {
   if (!uniqueness.has_regions) return "";
   const auto& components = uniqueness.basic_components;
+  if (components.empty()) return "";
   const std::string& unit = uniqueness.region_unit;
   std::vector<std::string> titles{">set", ">solutions", "by " + part_name(*uniqueness.map, ""),
                                   ">measure [" + unit + "]"};
@@ -272,7 +284,7 @@ std::string set_below(const Uniqueness& uniqueness, const BasicRegion& region) {
 
 /// What lies over each connected set of actuated values.
 std::string basic_regions_text(const Uniqueness& uniqueness) {
-  if (!uniqueness.has_domains) return "";
+  if (!uniqueness.has_domains || uniqueness.basic_regions.empty()) return "";
   const Manipulator& robot = *uniqueness.map->manipulator();
   TextTable table({">basic region", part_name(*uniqueness.map, ">"),
                    has_modes(robot) ? ">over set of its mode" : ">over set",
@@ -297,7 +309,7 @@ std::string regions_of_domain(const UniquenessDomain& domain) {
 }
 
 std::string domains_text(const Uniqueness& uniqueness) {
-  if (!uniqueness.has_domains) return "";
+  if (!uniqueness.has_domains || uniqueness.domains.empty()) return "";
   TextTable table({">domain", part_name(*uniqueness.map, ">"), ">basic regions",
                    ">actuated values [" + uniqueness.region_unit + "], at least"});
   const std::vector<std::size_t> listed = listed_of(uniqueness.domains);
