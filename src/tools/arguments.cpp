@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/arguments.h"
 
+#include "aspects/tree/held_joint_example.h"
+#include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/rotation_slice.h"
 #include "tools/computation.h"
 #include "tools/numbers.h"
@@ -43,6 +45,20 @@ std::optional<std::vector<int>> parse_signs(const std::string& text) {
   return signs;
 }
 
+/// A joint or coordinate with a value: that which has this name, or one that the robot has.
+std::string example_of_held(const Manipulator& manipulator, const std::string& name) {
+  const TaskSpace space = manipulator.task_space();
+  const std::optional<std::size_t> leg = leg_of_joint(manipulator, name);
+  const std::string of_joint = leg && space == TaskSpace::SE2 ? example_of_held_joint(manipulator, *leg) : "";
+  if (!of_joint.empty()) return of_joint;
+  const std::vector<std::string> names = space == TaskSpace::SO3 || space == TaskSpace::SE3
+                                             ? std::vector<std::string>{"roll", "pitch", "yaw"}
+                                             : coordinate_names(space);
+  const bool is_one = std::find(names.begin(), names.end(), name) != names.end() ||
+                      (space == TaskSpace::SE3 && (name == "x" || name == "y" || name == "z"));
+  return "\"" + (is_one ? name : names.back()) + "=0.5\"";
+}
+
 }  // namespace
 
 std::vector<WorkingMode> parse_modes(const std::string& option, const Manipulator& manipulator,
@@ -71,8 +87,8 @@ MapSlice parse_slice(const std::string& option, const Manipulator& manipulator, 
     const std::size_t equals = word.find('=');
     const std::string name = word.substr(0, equals);
     if (equals == std::string::npos) {
-      problems.push_back(option + " has '" + word +
-                         "'; give what is held with its value, such as \"z=0.5\".");
+      problems.push_back(option + " has '" + word + "'; give what is held with its value, such as " +
+                         example_of_held(manipulator, name) + ".");
       continue;
     }
     if (name == "turn" && axis.empty()) {
@@ -115,7 +131,7 @@ ParallelIndex parse_index(const std::string& text, Problems& problems) {
 RoadmapOptions parse_roadmap(const RoadmapArguments& arguments, Problems& problems) {
   RoadmapOptions options;
   if (!arguments.samples.empty())
-    options.samples = parse_count("--samples", arguments.samples, max_samples, problems);
+    options.samples = parse_count("--samples", arguments.samples, max_samples, problems, 1);
   if (!arguments.seed.empty()) options.seed = parse_count("--seed", arguments.seed, largest_seed, problems);
   return options;
 }

@@ -60,6 +60,12 @@ std::vector<Option> constraint_options(ConstraintArguments& arguments);
 std::shared_ptr<const Manipulator> choose_constraints(std::shared_ptr<const Manipulator> manipulator,
                                                       const ConstraintArguments& arguments);
 
+/// Of a robot with this choice: direct solutions are those of one robot, so that none has a tolerance.
+void refuse_tolerance(const ConstraintArguments& arguments, const Manipulator& robot, Problems& problems);
+
+/// Likewise, and cusps and regions of actuated values are bounded by limits of actuated joints alone.
+void refuse_other_bounds(const ConstraintArguments& arguments, const Manipulator& robot, Problems& problems);
+
 /// `--index NAME`, which fills `text`.
 Option index_option(std::string& text);
 

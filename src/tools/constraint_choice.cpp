@@ -148,4 +148,33 @@ std::shared_ptr<const Manipulator> choose_constraints(std::shared_ptr<const Mani
   return has_margins ? manipulator->with_margins(margins) : manipulator;
 }
 
+void refuse_tolerance(const ConstraintArguments& arguments, const Manipulator& robot, Problems& problems) {
+  if (robot.tolerance() == 0.0) return;
+  const std::string start = "Direct solutions are those of one robot, without tolerances; ";
+  problems.push_back(start + (arguments.tolerance.empty()
+                                  ? "'" + robot.name() + "' has one, so give --tolerance 0."
+                                  : "leave --tolerance out."));
+}
+
+// A margin that an option states goes with the option; --no-constraint does not go with it.
+void refuse_other_bounds(const ConstraintArguments& arguments, const Manipulator& robot, Problems& problems) {
+  std::string others;
+  bool has_margin = false;
+  for (const ConstraintKind kind : all_constraint_kinds) {
+    if (kind == ConstraintKind::actuated_limits || !robot.constraint_kinds()[index_of(kind)]) continue;
+    if (kind == ConstraintKind::margins && !arguments.margins.empty())
+      has_margin = true;
+    else
+      others += (others.empty() ? "" : ",") + std::string(name(kind));
+  }
+  const std::string start =
+      "Cusps and regions of actuated values are bounded by limits of actuated joints alone";
+  if (has_margin) problems.push_back(start + "; leave --margin out.");
+  const std::string left_out = (arguments.without.empty() ? "" : arguments.without + ",") + others;
+  if (!others.empty())
+    problems.push_back(start + ", but '" + robot.name() + "' has " + others + "; give --no-constraint \"" +
+                       left_out + "\".");
+  refuse_tolerance(arguments, robot, problems);
+}
+
 }  // namespace parallel_aspects::tools

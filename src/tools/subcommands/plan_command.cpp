@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/tree/held_joint_example.h"
 #include "motion/choose/plan_around_cusp.h"
 #include "motion/plan/end_aspects.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/motion/plan_path.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
+#include "tools/held_range.h"
 #include "tools/map_choice.h"
 #include "tools/motion_report/plan_report.h"
 #include "tools/numbers.h"
@@ -66,8 +68,29 @@ PathPreference parse_preference(const std::string& text, Problems& problems) {
 
 constexpr unsigned most_cusps = 10000;
 
-/// The number of a cusp, and what does not go with it.
-std::size_t parse_cusp(const PlanArguments& arguments, Problems& problems) {
+/// Cusps are points in slices of SE2 alone, of one robot, within limits of its actuated joints.
+void check_slice_of_cusps(const PlanArguments& arguments, const Manipulator& robot, Problems& problems) {
+  if (robot.task_space() != TaskSpace::SE2)
+    return problems.push_back("--around-cusp is of robots that move in SE2, and '" + robot.name() +
+                              "' moves in " + std::string(name(robot.task_space())) + "; leave it out.");
+  const std::size_t known = problems.size();
+  refuse_other_bounds(arguments.constraints, robot, problems);
+  if (problems.size() > known) return;
+  if (!arguments.map.slice.empty())
+    parse_joint_slice("--hold", robot, arguments.map.slice, problems);
+  else if (const std::string example = example_of_held_joint(robot); !example.empty())
+    problems.push_back(
+        "--around-cusp needs a slice that holds an actuated joint, where cusps are points; give --hold with "
+        "its value at the start, such as " +
+        example + ".");
+  else
+    problems.push_back("--around-cusp needs an actuated joint that can be held, and '" + robot.name() +
+                       "' has none; leave it out.");
+}
+
+/// The number of a cusp, from 0, and what does not go with it.
+std::size_t parse_cusp(const PlanArguments& arguments, const Manipulator& robot, Problems& problems) {
+  check_slice_of_cusps(arguments, robot, problems);
   const auto& to = arguments.to;
   if (!to.pose.empty() || !to.mode.empty() || !to.joints.empty() || !to.aspect.empty())
     problems.emplace_back(
@@ -76,10 +99,9 @@ std::size_t parse_cusp(const PlanArguments& arguments, Problems& problems) {
     problems.emplace_back(
         "--around-cusp stays in one aspect, on a clear path; leave out --policy and "
         "--prefer.");
-  if (arguments.map.slice.empty())
-    problems.emplace_back(
-        "--around-cusp needs a slice that holds an actuated joint, where cusps are points; give --hold.");
-  return parse_count("--around-cusp", arguments.around_cusp, most_cusps, problems);
+  const std::size_t number = parse_count("--around-cusp", arguments.around_cusp, most_cusps, problems, 1);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  return number - 1;
 }
 
 PlanQuestion parse(const PlanArguments& arguments, const Manipulator& manipulator) {
@@ -89,7 +111,7 @@ PlanQuestion parse(const PlanArguments& arguments, const Manipulator& manipulato
   if (arguments.around_cusp.empty())
     question.to = parse_path_end("--to", manipulator, arguments.to, problems);
   else
-    question.around_cusp = parse_cusp(arguments, problems) - 1;
+    question.around_cusp = parse_cusp(arguments, manipulator, problems);
   question.wish.policy = parse_policy(arguments.policy, problems);
   question.wish.prefer = parse_preference(arguments.prefer, problems);
   std::vector<NamedPose> poses;  // an aspect's lie in the slice
@@ -224,6 +246,18 @@ std::string turned_text(const Manipulator& manipulator, const PathEnd& to, const
   return text;
 }
 
+/// How far from where it was asked for a path begins or ends, and where it does.
+std::string moved_text(const Manipulator& manipulator, const PlannedPath& path,
+                       const PlanQuestion& question) {
+  constexpr int pose_digits = 10;
+  std::string text = question.around_cusp ? "the start is" : "the ends are";
+  text += " moved onto the slice, by at most " + shown(question.moved) + " m";
+  if (!path.points.empty())
+    text += ": from \"" + pose_argument(manipulator.task_space(), path.points.front().pose, pose_digits) +
+            "\" to \"" + pose_argument(manipulator.task_space(), path.points.back().pose, pose_digits) + "\"";
+  return text + "\n";
+}
+
 /// How often the actuated values go around each cusp.
 void add_cusps(const Plan& plan, const std::optional<std::size_t>& asked, Report& report) {
   report.json["around_cusp"] = asked ? nlohmann::json(*asked + 1) : nlohmann::json();
@@ -296,8 +330,7 @@ Report report_of(const PlanArguments& arguments, const Surroundings& surrounding
   add_cusps(plan, question.around_cusp, report);
   if (plan.map.map) report_source(arguments.map, plan.map, report);
   report.json["moved_onto_slice"] = question.slice ? nlohmann::json(question.moved) : nlohmann::json();
-  if (question.moved > 0.0)
-    report.text += "the ends are moved onto the slice, by at most " + shown(question.moved) + " m\n";
+  if (question.moved > 0.0) report.text += moved_text(*manipulator, plan.path, question);
   add_timing(manipulator, arguments, plan, question.acceleration, surroundings, report);
   const std::string& file = arguments.timing.trajectory_file;
   if (!file.empty() && report.json["trajectory_file"].is_null())

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/tree/held_joint_example.h"
 #include "aspects/uniqueness/uniqueness_problem.h"
 #include "motion/assembly_survey.h"
 #include "parallel_aspects/aspects/uniqueness.h"
@@ -14,6 +15,7 @@
 #include "tools/subcommands.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -50,6 +52,8 @@ Report report_of_curves(const UniquenessArguments& arguments, const Manipulator&
                         const Surroundings& surroundings) {
   refuse({{"--slice", arguments.slice}, {"--resolution", arguments.resolution}},
          "--cusps-over lists curves of cusps alone; leave ", " or it out.", problems);
+  if (robot.task_space() == TaskSpace::SE2) refuse_other_bounds(arguments.constraints, robot, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const HeldRange range = parse_held_range("--cusps-over", robot, arguments.cusps_over, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const ShownComputation shown(surroundings);
@@ -74,6 +78,8 @@ Report report_of_cusps(const UniquenessArguments& arguments, const Manipulator& 
           {"--picture", arguments.picture}},
          before, after, problems);
   refuse(roadmap_options_of(arguments), before, after, problems);
+  refuse_other_bounds(arguments.constraints, robot, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const HeldJoint held = parse_held_joint("--slice", robot, arguments.slice, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const ShownComputation shown(surroundings);
@@ -92,11 +98,10 @@ Report report_of_survey(const UniquenessArguments& arguments, const std::shared_
          "In " + std::string(name(robot->task_space())) + " a roadmap is looked at, which has no ",
          "; leave it out.", problems);
   const RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
-  const unsigned poses =
-      arguments.poses.empty() ? default_poses : parse_count("--poses", arguments.poses, most_poses, problems);
-  if (robot->tolerance() > 0.0)
-    problems.push_back("Direct solutions are of a robot without tolerances, and '" + robot->name() +
-                       "' has some; leave them out.");
+  const unsigned poses = arguments.poses.empty()
+                             ? default_poses
+                             : parse_count("--poses", arguments.poses, most_poses, problems, 1);
+  refuse_tolerance(arguments.constraints, *robot, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const auto roadmap = compute_roadmap(robot, options, surroundings);
   const ShownComputation shown(surroundings);
@@ -105,9 +110,44 @@ Report report_of_survey(const UniquenessArguments& arguments, const std::shared_
   return report_assembly_survey(*roadmap, *survey);
 }
 
+/// Of three struts: limits of their lengths that the robot has, and that were left out.
+void refuse_all_poses(const UniquenessArguments& arguments, const Manipulator& described,
+                      const Manipulator& robot, Problems& problems) {
+  const std::size_t limits = index_of(ConstraintKind::actuated_limits);
+  if (!described.constraint_kinds()[limits] || robot.constraint_kinds()[limits]) return;
+  const std::string option = arguments.constraints.without.empty() ? "--constraint" : "--no-constraint";
+  problems.push_back("All poses of '" + robot.name() + "' are looked at within limits of its struts, and " +
+                     option + " takes these out; keep actuated_limits, or give --slice " +
+                     example_of_held_joint(described) + ".");
+}
+
+/// The slice of SE2, or none of another task space or of all poses of three struts.
+std::optional<MapSlice> slice_of(const UniquenessArguments& arguments, const Manipulator& described,
+                                 const Manipulator& robot, Problems& problems) {
+  if (has_one_solution_a_sign(robot.task_space())) {
+    if (!arguments.slice.empty())
+      problems.push_back("In " + std::string(name(robot.task_space())) +
+                         " every aspect is a uniqueness domain as a whole; leave --slice out.");
+    return std::nullopt;
+  }
+  refuse_other_bounds(arguments.constraints, robot, problems);
+  if (!problems.empty()) return std::nullopt;
+  if (!arguments.slice.empty()) return parse_joint_slice("--slice", robot, arguments.slice, problems);
+  const std::string example = example_of_held_joint(robot);
+  if (has_struts_alone(robot))
+    refuse_all_poses(arguments, described, robot, problems);
+  else if (!example.empty())
+    problems.push_back(
+        "In SE2 actuated values are looked at in slices that hold an actuated joint; give "
+        "--slice " +
+        example + ".");
+  return std::nullopt;
+}
+
 Report report_of(const UniquenessArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
-  const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
+  const auto described = mechanism->mapped_manipulator();
+  const auto manipulator = choose_constraints(described, arguments.constraints);
   Problems problems;
   check_picture_file("--picture", arguments.picture, problems);
   check_distinct_files({{"--picture", arguments.picture}},
@@ -124,12 +164,11 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
   if (!arguments.cusps_over.empty())
     return report_of_curves(arguments, *manipulator, std::move(problems), surroundings);
   UniquenessOptions options;
-  if (!arguments.slice.empty())
-    options.slice = parse_slice("--slice", *manipulator, arguments.slice, problems);
+  options.slice = slice_of(arguments, *described, *manipulator, problems);
   if (!arguments.resolution.empty())
     options.resolution = parse_positive("--resolution", arguments.resolution, problems);
   const bool has_numbers = manipulator->task_space() == TaskSpace::SE2 && !has_elbows(*manipulator);
-  if (!arguments.picture.empty() && !(has_numbers && options.slice))
+  if (!arguments.picture.empty() && !(has_numbers && !arguments.slice.empty()))
     problems.push_back("--picture shows numbers of direct solutions in slices of SE2; " +
                        (has_numbers ? "give one with --slice, or leave it out."
                                     : "of '" + manipulator->name() +

@@ -329,6 +329,17 @@ TEST_F(PlanCommand, NamesTheNearestPoseOfTheSlice) {
   EXPECT_NE(outcome.messages.find("The nearest is \"0 0 -0.6\"."), std::string::npos) << outcome.messages;
 }
 
+TEST_F(PlanCommand, BeginsOnTheSliceNextToAPoseOfATable) {
+  const Outcome outcome = run({"plan", "three_rpr", "--hold", "strut_1_joint=15", "--no-constraint", "all",
+                               "--from", "-14.916 1.58508 0.24531", "--around-cusp", "3"});
+  EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages;
+  EXPECT_NE(outcome.output.find("the start is moved onto the slice, by at most 1.55131e-05 m: "),
+            std::string::npos)
+      << outcome.output;
+  EXPECT_NE(outcome.output.find("from \"-14.91601543 1.585081639 0.24531\" to "), std::string::npos)
+      << outcome.output;
+}
+
 TEST_F(PlanCommand, TellsWhereControlIsLost) {
   const json path =
       run_json({"plan", "five_bar", "--from-aspect", "1", "--to-aspect", "2", "--policy", "any"});
