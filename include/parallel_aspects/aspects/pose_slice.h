@@ -45,6 +45,9 @@ class PoseSlice {
   /// Whether the slice reaches this far: angles to half a turn, SO3 over its disc, else everywhere.
   bool holds(const Eigen::Vector2d& point) const noexcept;
 
+  /// The joint that is held, where one is.
+  std::optional<HeldJoint> held_joint() const noexcept { return slice_ ? slice_->joint : std::nullopt; }
+
   /// "phi = 0.3 rad", for people; empty in T2.
   std::string text() const;
 

@@ -56,7 +56,7 @@ class Tracer {
         slice_(slice),
         merging_(merging),
         levels_(levels),
-        functions_(*map.manipulator(), mode) {}
+        functions_(*map.manipulator(), mode, slice.held_joint()) {}
 
   BoundaryPicture trace_grid(const Eigen::AlignedBox2d& bounds, int cells) {
     const Vector2d step = bounds.sizes() / cells;
@@ -132,6 +132,7 @@ class Tracer {
     for (std::size_t j = 0; j < robot.leg_count(); ++j)
       q[static_cast<Eigen::Index>(j)] =
           joint_value(robot.leg(j), pose.transform(robot.leg(j).anchor), mode_.sign(j));
+    if (const auto held = slice_.held_joint()) q[static_cast<Eigen::Index>(held->leg)] = held->value;
     switch (levels_.index) {
       case DrawnIndex::parallel:
         return parallel_index(robot, pose, q);

@@ -25,8 +25,9 @@ constexpr DrawnConstraint drawn_constraints[] = {
 
 }  // namespace
 
-BoundaryFunctions::BoundaryFunctions(const Manipulator& manipulator, const WorkingMode& mode)
-    : robot_(manipulator), mode_(mode), functions_{{BoundaryKind::parallel, 0}} {
+BoundaryFunctions::BoundaryFunctions(const Manipulator& manipulator, const WorkingMode& mode,
+                                     const std::optional<HeldJoint>& held)
+    : robot_(manipulator), mode_(mode), held_(held), functions_{{BoundaryKind::parallel, 0}} {
   for (std::size_t j = 0; j < robot_.leg_count(); ++j) functions_.push_back({BoundaryKind::serial, j});
   for (std::size_t j = 0; j < robot_.leg_count(); ++j)
     for (const double limit : {robot_.leg(j).limits.lower, robot_.leg(j).limits.upper})
@@ -46,6 +47,11 @@ BoundaryFunctions::Values BoundaryFunctions::values(const Pose& pose) const {
     const auto row = static_cast<Eigen::Index>(j);
     q[row] = joint_value(leg, pose.transform(leg.anchor), mode_.sign(j));
     result[1 + row] = squared_inverse_entry(leg, pose.transform(leg.anchor));
+  }
+  if (held_) {
+    const auto row = static_cast<Eigen::Index>(held_->leg);
+    q[row] = held_->value;
+    result[1 + row] = mode_.sign(held_->leg) * inverse_diagonal(robot_, pose, q)[row];
   }
   result[0] = direct_determinant(robot_, pose, q);
   add_limits(q, result);

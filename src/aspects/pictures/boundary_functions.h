@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_PICTURES_BOUNDARY_FUNCTIONS_H
 
 #include "parallel_aspects/aspects/boundary_curves.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
@@ -11,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace parallel_aspects {
@@ -18,6 +20,8 @@ namespace parallel_aspects {
 /// The functions of a pose whose zeros bound the aspects of one working mode, for drawing: det A, then each
 /// B_jj^2, then the distance of each limited actuated joint from its limits, then how far each other
 /// constraint is from being broken. In an aspect all are positive, but det A, which has the aspect's sign.
+/// Where a joint is held, its value is that everywhere, and the pose decides the sign of its B_jj: so there
+/// B_jj stands in place of its square, times the sign that it has in the working mode.
 class BoundaryFunctions {
  public:
   struct Function {
@@ -28,7 +32,8 @@ class BoundaryFunctions {
   using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
 
   /// The manipulator must outlive the object.
-  BoundaryFunctions(const Manipulator& manipulator, const WorkingMode& mode);
+  BoundaryFunctions(const Manipulator& manipulator, const WorkingMode& mode,
+                    const std::optional<HeldJoint>& held = std::nullopt);
 
   const std::vector<Function>& list() const noexcept { return functions_; }
 
@@ -39,6 +44,7 @@ class BoundaryFunctions {
 
   const Manipulator& robot_;
   const WorkingMode mode_;
+  const std::optional<HeldJoint> held_;
   std::vector<Function> functions_;
   std::vector<ConstraintKind> constraints_;  // of the last functions
 };
