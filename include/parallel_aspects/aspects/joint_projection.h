@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace parallel_aspects {
@@ -25,6 +26,11 @@ struct JointWindow {
 
   /// Joint values brought into the window where they wrap.
   Eigen::Vector2d wrapped(const Eigen::Vector2d& q) const noexcept;
+
+  /// A short straight line as it is seen in the window: where it leaves by one edge of a full turn, the rest
+  /// comes in by the opposite one.
+  std::vector<std::array<Eigen::Vector2d, 2>> pieces(const Eigen::Vector2d& from,
+                                                     const Eigen::Vector2d& to) const;
 };
 
 /// Corners of triangles, three each, counter-clockwise.
@@ -65,7 +71,8 @@ class JointProjection {
   Eigen::Vector2d image(const Eigen::Vector2d& point, const WorkingMode& mode) const;
 
  private:
-  Eigen::Vector2d joint_values(const Eigen::Vector2d& point, const WorkingMode& mode) const;
+  Eigen::Vector2d joint_values(const Eigen::Vector2d& point, const WorkingMode& mode,
+                               std::optional<std::size_t> singular = std::nullopt) const;
   double span(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   Eigen::Vector2d near(const Eigen::Vector2d& reference, Eigen::Vector2d q) const;
   void visit_images(const std::vector<Eigen::Vector2d>& polygon, const WorkingMode& mode, int splits_left,

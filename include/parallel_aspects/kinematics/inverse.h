@@ -19,7 +19,8 @@ double squared_inverse_entry(const Leg& leg, const Eigen::Vector3d& point) noexc
 /// The joint value that puts the leg's anchor at `point` with the given sign of B_jj [rad or m]; an angle
 /// comes in
 /// (-pi, pi], or a whole number of turns away where that is what the joint limits ask for.
-/// Where the leg cannot reach, the value of the closest configuration (B_jj = 0).
+/// Where the leg cannot reach, the value of the closest configuration (B_jj = 0). With the sign 0 it is the
+/// value that both branches have where B_jj = 0.
 double joint_value(const Leg& leg, const Eigen::Vector3d& point, int sign) noexcept;
 
 /// What became of an inverse problem.

@@ -100,6 +100,12 @@ Vector2d cut(const Vector2d& from, const Vector2d& beyond, const JointWindow& wi
   return from + share * (beyond - from);
 }
 
+std::optional<std::size_t> singular_leg(const BoundarySegment& segment) {
+  return segment.kind == BoundaryKind::serial ? std::optional<std::size_t>(segment.leg) : std::nullopt;
+}
+
+std::optional<std::size_t> singular_leg(const LevelSegment&) { return std::nullopt; }
+
 PoseSlice plane_of(const AspectMap& map) {
   return map.slice() ? PoseSlice(*map.manipulator(), *map.slice()) : PoseSlice(TaskSpace::T2, 0.0);
 }
@@ -111,6 +117,12 @@ Vector2d JointWindow::wrapped(const Vector2d& q) const noexcept {
   for (const int i : {0, 1})
     if (turns[static_cast<std::size_t>(i)]) inside[i] = std::remainder(q[i], full_turn);
   return inside;
+}
+
+std::vector<std::array<Vector2d, 2>> JointWindow::pieces(const Vector2d& from, const Vector2d& to) const {
+  const Vector2d start = wrapped(from), beyond = start + (to - from), end = wrapped(beyond);
+  if (beyond.isApprox(end)) return {{start, end}};
+  return {{cut(end, end - (to - from), *this), end}, {start, cut(start, beyond, *this)}};
 }
 
 bool JointProjection::is_possible(const AspectMap& map) noexcept {
@@ -126,12 +138,16 @@ JointProjection::JointProjection(std::shared_ptr<const AspectMap> map)
   find_window();
 }
 
-Vector2d JointProjection::joint_values(const Vector2d& point, const WorkingMode& mode) const {
+// Of a leg that is singular there both branches meet; beside it the joint value changes like a root, and a
+// point that is traced is not quite on the curve. The sign 0 is the value between the branches.
+Vector2d JointProjection::joint_values(const Vector2d& point, const WorkingMode& mode,
+                                       std::optional<std::size_t> singular) const {
   const Pose pose = slice_.pose(point);
   Vector2d q;
   for (std::size_t i = 0; i < 2; ++i) {
     const Leg& leg = map_->manipulator()->leg(legs_[i]);
-    q[static_cast<Eigen::Index>(i)] = joint_value(leg, pose.transform(leg.anchor), mode.sign(legs_[i]));
+    const int sign = legs_[i] == singular ? 0 : mode.sign(legs_[i]);
+    q[static_cast<Eigen::Index>(i)] = joint_value(leg, pose.transform(leg.anchor), sign);
   }
   return q;
 }
@@ -224,17 +240,14 @@ std::vector<Segment> JointProjection::images_of(const std::vector<Segment>& segm
                                                 const WorkingMode& mode) const {
   std::vector<Segment> images;
   for (Segment segment : segments) {
-    segment.from = image(segment.from, mode);
-    segment.to = image(segment.to, mode);
-    const Vector2d beyond = near(segment.from, segment.to);
-    if (!(span(segment.from, beyond) < longest_segment)) continue;
-    Segment rest = segment;
-    if (!beyond.isApprox(segment.to)) {  // it goes on at the opposite edge
-      rest.from = cut(segment.to, near(segment.to, segment.from), window_);
-      segment.to = cut(segment.from, beyond, window_);
-      images.push_back(rest);
+    const Vector2d from = joint_values(segment.from, mode, singular_leg(segment)),
+                   to = near(from, joint_values(segment.to, mode, singular_leg(segment)));
+    if (!(span(from, to) < longest_segment)) continue;
+    for (const auto& piece : window_.pieces(from, to)) {
+      segment.from = piece[0];
+      segment.to = piece[1];
+      images.push_back(segment);
     }
-    images.push_back(segment);
   }
   return images;
 }
