@@ -132,6 +132,9 @@ class PageDrawing {
     else
       picture_.elements.emplace_back(
           PageArea{{{at, at + right, at + right + up, at + up, at}}, entry.color, ""});
+    if (!entry.is_line && entry.is_framed)
+      picture_.elements.emplace_back(
+          PageCurves{{{at, at + right, at + right + up, at + up, at}}, ink_color, 0.5, false, ""});
   }
 
   void write(const PagePoint& at, double size, const std::string& text, bool bold) {

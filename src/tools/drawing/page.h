@@ -17,6 +17,7 @@ struct LegendEntry {
   Rgb color = 0;
   bool is_line = false;
   std::string text;
+  bool is_framed = false;  ///< an area that is not seen on the page without a frame
 };
 
 /// "aspect 3: det A > 0, 193.6 m^2"

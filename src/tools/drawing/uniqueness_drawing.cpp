@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/uniqueness_drawing.h"
 
+#include "aspects/pictures/singular_curves.h"
 #include "model/angles.h"
 #include "model/number_text.h"
 #include "parallel_aspects/aspects/boundary_curves.h"
 #include "parallel_aspects/aspects/joint_projection.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
 #include "tools/drawing/page.h"
 #include "tools/drawing/plot_plane.h"
 #include "tools/report/reports.h"
@@ -32,15 +34,39 @@ constexpr double side_of_planes = 430.0;  // [px]
 // Of the grid of numbers, about a point of the panel each, and of that of the curves.
 constexpr int cells_of_numbers = 360, cells_of_curves = 240;
 
+// A cell is looked at in its middle, and where nothing is proved there in so many points a side.
+constexpr int points_of_cell = 3;
+
+constexpr Rgb no_color = 0xFFFFFF;
+
+/// That of which the components are the largest together.
+WorkingMode largest_mode(const AspectMap& map) {
+  WorkingMode largest = map.working_modes().front();
+  double most = -1.0;
+  for (const WorkingMode& mode : map.working_modes()) {
+    double measure = 0.0;
+    for (const Aspect& aspect : map.aspects())
+      if (aspect.mode == mode) measure += aspect.measure;
+    if (measure > most) largest = mode;
+    most = std::max(most, measure);
+  }
+  return largest;
+}
+
 class UniquenessDrawing {
  public:
-  explicit UniquenessDrawing(const Uniqueness& uniqueness)
+  UniquenessDrawing(const Uniqueness& uniqueness, const std::optional<WorkingMode>& mode)
       : uniqueness_(uniqueness),
         robot_(*uniqueness.map->manipulator()),
-        mode_(uniqueness.map->working_modes().front()),
+        held_(*uniqueness.map->slice()->joint),
+        mode_(mode ? *mode : largest_mode(*uniqueness.map)),
         plane_(plane_of(*uniqueness.map, std::optional<PlotSection>())),
         projection_(uniqueness.map),
-        segments_(segments_of(mode_)) {}
+        curves_(*uniqueness.map, projection_) {
+    for (const WorkingMode& each : uniqueness.map->working_modes()) trace(each);
+    curves_.follow_free_cranks();
+    add_curves();
+  }
 
   Picture draw() const {
     Page page;
@@ -49,10 +75,11 @@ class UniquenessDrawing {
         robot_.name() + ", " + to_string(*uniqueness_.map->slice()) + ": where direct solutions meet";
     page.notes = {
         "Colours: the number of direct solutions of the actuated values, each proved at the middle of a cell "
-        "of "
-        "a grid of " +
+        "of a grid of " +
             std::to_string(cells_of_numbers) + " x " + std::to_string(cells_of_numbers) +
-            ". On the left, edges between colours that are not singular are characteristic curves.",
+            ", or else at most of its points where one is proved. On the left, edges between colours that "
+            "are "
+            "not singular are characteristic curves.",
         "Dots: cusps" + words_for(uniqueness_.cusps_complete) +
             (uniqueness_.has_nodes
                  ? " Circles: nodes, with the two poses of each" + words_for(uniqueness_.nodes_complete)
@@ -72,11 +99,8 @@ class UniquenessDrawing {
     PanelContents panel;
     panel.caption = has_modes() ? "poses in working mode " + to_string(mode_) : "poses";
     panel.axes = plane_.axes;
-    panel.shapes = numbers(plane_.bounds, [this](const Vector2d& at) {
-      const InverseSolution found = inverse(robot_, plane_.slice.pose(at), mode_);
-      return found ? found.q : JointVector();
-    });
-    panel.segments = segments_;
+    panel.shapes = numbers(plane_.bounds, [this](const Vector2d& at) { return actuated_of(at); });
+    panel.segments = of_poses_;
     const AnchorCircle circle = circle_of_anchor(robot_, *uniqueness_.map->slice()->joint);
     const auto place = [&](const Pose& pose) {
       const Vector2d rod = circle.rod(pose);
@@ -104,7 +128,7 @@ class UniquenessDrawing {
     }
     panel.shapes =
         numbers({window.lower, window.upper}, [this](const Vector2d& at) { return actuated_at(at); });
-    panel.segments = images();
+    panel.segments = of_values_;
     const auto place = [this](const JointVector& q) { return Vector2d(q[joint(0)], q[joint(1)]); };
     for (std::size_t i = 0; i < uniqueness_.cusps.size(); ++i)
       panel.marks.push_back(
@@ -116,25 +140,49 @@ class UniquenessDrawing {
 
   bool has_modes() const { return uniqueness_.map->working_modes().size() > 1; }
 
-  std::vector<BoundarySegment> segments_of(const WorkingMode& mode) const {
-    return trace_slice(*uniqueness_.map, mode, plane_.slice, plane_.bounds, cells_of_curves).segments;
+  /// Traced singular curves are where others begin, which are followed; limits and constraints are drawn.
+  void trace(const WorkingMode& mode) {
+    std::vector<BoundarySegment> others;
+    for (const BoundarySegment& segment :
+         trace_slice(*uniqueness_.map, mode, plane_.slice, plane_.bounds, cells_of_curves).segments)
+      if (segment.kind == BoundaryKind::parallel || segment.kind == BoundaryKind::serial)
+        curves_.follow(segment, mode);
+      else
+        others.push_back(segment);
+    const auto images = projection_.images(others, mode);
+    of_values_.insert(of_values_.end(), images.begin(), images.end());
+    if (mode == mode_) of_poses_ = std::move(others);
   }
 
-  /// Of the curves of all working modes.
-  std::vector<BoundarySegment> images() const {
-    std::vector<BoundarySegment> result;
-    for (const WorkingMode& mode : uniqueness_.map->working_modes()) {
-      const auto more = projection_.images(mode == mode_ ? segments_ : segments_of(mode), mode);
-      result.insert(result.end(), more.begin(), more.end());
+  /// Those of all working modes in the plane of values, and of one in that of poses.
+  void add_curves() {
+    const JointWindow turns{Vector2d::Constant(-pi), Vector2d::Constant(pi), {true, true}};
+    const auto add = [](const SingularPiece& piece, const auto& parts, std::vector<BoundarySegment>& to) {
+      for (const auto& [from, end] : parts) to.push_back({piece.kind, piece.leg, from, end, {}});
+    };
+    for (const SingularPiece& piece : curves_.pieces()) {
+      add(piece, projection_.window().pieces(piece.actuated[0], piece.actuated[1]), of_values_);
+      if (piece.is_of(mode_)) add(piece, turns.pieces(piece.poses[0], piece.poses[1]), of_poses_);
     }
-    return result;
+  }
+
+  /// Those of a pose in the mode that is drawn; nothing where there are none. The pose decides the sign of
+  /// B_jj of the joint that is held.
+  JointVector actuated_of(const Vector2d& at) const {
+    const Pose pose = plane_.slice.pose(at);
+    InverseSolution found = inverse(robot_, pose, mode_);
+    if (!found) return {};
+    const auto held = static_cast<Eigen::Index>(held_.leg);
+    found.q[held] = held_.value;
+    return mode_.sign(held_.leg) * inverse_diagonal(robot_, pose, found.q)[held] > 0.0 ? found.q
+                                                                                       : JointVector();
   }
 
   Eigen::Index joint(std::size_t axis) const { return static_cast<Eigen::Index>(projection_.legs()[axis]); }
 
   JointVector actuated_at(const Vector2d& at) const {
     JointVector q(static_cast<Eigen::Index>(robot_.leg_count()));
-    q.setConstant(uniqueness_.map->slice()->joint->value);
+    q.setConstant(held_.value);
     for (std::size_t i = 0; i < 2; ++i) q[joint(i)] = at[static_cast<Eigen::Index>(i)];
     return q;
   }
@@ -149,10 +197,9 @@ class UniquenessDrawing {
         const auto corner = [&](int x, int y) {
           return Vector2d(bounds.min() + step.cwiseProduct(Vector2d(column + x, row + y)));
         };
-        const auto component = uniqueness_.component_of(actuated(0.5 * (corner(0, 0) + corner(1, 1))));
-        if (!component) continue;
-        const std::size_t solutions = uniqueness_.basic_components[*component].solutions.size();
-        shapes[solutions].polygons.push_back({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
+        const std::size_t solutions = number_in({corner(0, 0), corner(1, 1)}, actuated);
+        if (solutions > 0)
+          shapes[solutions].polygons.push_back({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
       }
     std::vector<PanelShape> result;
     for (auto& [solutions, shape] : shapes) {
@@ -161,6 +208,27 @@ class UniquenessDrawing {
       result.push_back(std::move(shape));
     }
     return result;
+  }
+
+  /// At the middle of a cell, or else at most points of it where one is proved; 0 for none. So a strip that
+  /// is thinner than a cell is not seen here and there.
+  std::size_t number_in(const Eigen::AlignedBox2d& cell,
+                        const std::function<JointVector(const Vector2d&)>& actuated) const {
+    const auto number_at = [&](const Vector2d& at) {
+      const auto component = uniqueness_.component_of(actuated(at));
+      return component ? uniqueness_.basic_components[*component].solutions.size() : 0;
+    };
+    if (const std::size_t middle = number_at(cell.center()); middle > 0) return middle;
+    std::map<std::size_t, int> counts;
+    for (int i = 0; i < points_of_cell * points_of_cell; ++i) {
+      const Vector2d share =
+          (Vector2d(i % points_of_cell, i / points_of_cell).array() + 0.5) / points_of_cell;
+      if (const std::size_t number = number_at(cell.min() + share.cwiseProduct(cell.sizes())); number > 0)
+        ++counts[number];
+    }
+    const auto most = std::max_element(counts.begin(), counts.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == counts.end() ? 0 : most->first;
   }
 
   /// With a letter, as long as there are any.
@@ -174,8 +242,9 @@ class UniquenessDrawing {
       entries.push_back({solutions_color(region.solutions), false,
                          counted(region.solutions, "solution") + ", " + number_text(region.measure, 4) + " " +
                              uniqueness_.region_unit});
+    entries.push_back({no_color, false, "no number is proved, no solution, or out of reach", true});
     std::set<BoundaryKind> kinds;
-    for (const BoundarySegment& segment : segments_) kinds.insert(segment.kind);
+    for (const BoundarySegment& segment : of_values_) kinds.insert(segment.kind);
     for (const auto& [kind, words] : boundary_words())
       if (kinds.count(kind) > 0) entries.push_back({boundary_color(kind), true, words});
     return entries;
@@ -183,10 +252,12 @@ class UniquenessDrawing {
 
   const Uniqueness& uniqueness_;
   const Manipulator& robot_;
+  const HeldJoint held_;
   WorkingMode mode_;
   PlotPlane plane_;
   JointProjection projection_;
-  std::vector<BoundarySegment> segments_;
+  SingularCurves curves_;
+  std::vector<BoundarySegment> of_poses_, of_values_;
 };
 
 constexpr Rgb count_color = 0xCC3311;
@@ -304,7 +375,9 @@ class CurvesDrawing {
 
 }  // namespace
 
-Picture draw_uniqueness(const Uniqueness& uniqueness) { return UniquenessDrawing(uniqueness).draw(); }
+Picture draw_uniqueness(const Uniqueness& uniqueness, const std::optional<WorkingMode>& mode) {
+  return UniquenessDrawing(uniqueness, mode).draw();
+}
 
 Picture draw_cusp_curves(const Manipulator& robot, const CuspCurves& found) {
   return CurvesDrawing(robot, found).draw();

@@ -3,13 +3,17 @@
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_UNIQUENESS_DRAWING_H
 
 #include "parallel_aspects/aspects/uniqueness.h"
+#include "parallel_aspects/kinematics/working_mode.h"
 #include "tools/drawing/page_elements.h"
+
+#include <optional>
 
 namespace parallel_aspects::tools {
 
 /// The plane of poses of a slice and the plane of both actuated values: the number of direct solutions in
-/// color, singular curves, and cusps as dots with their numbers in the list. For slices alone.
-Picture draw_uniqueness(const Uniqueness& uniqueness);
+/// color, singular curves, and cusps as dots with their numbers in the list. For slices alone. The poses are
+/// those of one working mode of the map, by default that of which the components are the largest together.
+Picture draw_uniqueness(const Uniqueness& uniqueness, const std::optional<WorkingMode>& mode = std::nullopt);
 
 /// Curves of cusps in the plane of the other two actuated values, and the number of cusps over the value that
 /// is held.
