@@ -14,10 +14,12 @@
 #include "tools/report/uniqueness_report.h"
 #include "tools/subcommands.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace parallel_aspects::tools {
 namespace {
@@ -26,7 +28,7 @@ constexpr unsigned default_poses = 1000, most_poses = 1000000;
 
 struct UniquenessArguments {
   RobotChoice robot;
-  std::string slice, cusps_over, resolution, picture, poses;  // empty where not given
+  std::string slice, cusps_over, resolution, picture, mode, poses;  // empty where not given
   RoadmapArguments roadmap;
   ConstraintArguments constraints;
 };
@@ -50,7 +52,7 @@ GivenOptions roadmap_options_of(const UniquenessArguments& arguments) {
 
 Report report_of_curves(const UniquenessArguments& arguments, const Manipulator& robot, Problems problems,
                         const Surroundings& surroundings) {
-  refuse({{"--slice", arguments.slice}, {"--resolution", arguments.resolution}},
+  refuse({{"--slice", arguments.slice}, {"--resolution", arguments.resolution}, {"--mode", arguments.mode}},
          "--cusps-over lists curves of cusps alone; leave ", " or it out.", problems);
   if (robot.task_space() == TaskSpace::SE2) refuse_other_bounds(arguments.constraints, robot, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
@@ -75,7 +77,8 @@ Report report_of_cusps(const UniquenessArguments& arguments, const Manipulator& 
                     after = " or it out.";
   refuse({{"--cusps-over", arguments.cusps_over},
           {"--resolution", arguments.resolution},
-          {"--picture", arguments.picture}},
+          {"--picture", arguments.picture},
+          {"--mode", arguments.mode}},
          before, after, problems);
   refuse(roadmap_options_of(arguments), before, after, problems);
   refuse_other_bounds(arguments.constraints, robot, problems);
@@ -94,7 +97,8 @@ Report report_of_survey(const UniquenessArguments& arguments, const std::shared_
   refuse({{"--slice", arguments.slice},
           {"--cusps-over", arguments.cusps_over},
           {"--resolution", arguments.resolution},
-          {"--picture", arguments.picture}},
+          {"--picture", arguments.picture},
+          {"--mode", arguments.mode}},
          "In " + std::string(name(robot->task_space())) + " a roadmap is looked at, which has no ",
          "; leave it out.", problems);
   const RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
@@ -144,6 +148,21 @@ std::optional<MapSlice> slice_of(const UniquenessArguments& arguments, const Man
   return std::nullopt;
 }
 
+/// That of the poses of the picture; nothing where none was given.
+std::optional<WorkingMode> drawn_mode(const UniquenessArguments& arguments, const Manipulator& robot,
+                                      Problems& problems) {
+  if (arguments.mode.empty()) return std::nullopt;
+  if (arguments.picture.empty())
+    problems.emplace_back("--mode chooses the working mode of --picture; give that too, or leave it out.");
+  const auto mode = parse_mode("--mode", robot, arguments.mode, problems);
+  const std::vector<WorkingMode> modes = working_modes(robot);
+  if (!mode || std::find(modes.begin(), modes.end(), *mode) != modes.end()) return mode;
+  problems.push_back(
+      "--mode is '" + arguments.mode + "', which '" + robot.name() +
+      "' does not have: B_jj of a strut has one sign. `aspects describe` lists its working modes.");
+  return std::nullopt;
+}
+
 Report report_of(const UniquenessArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto described = mechanism->mapped_manipulator();
@@ -173,11 +192,13 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
                        (has_numbers ? "give one with --slice, or leave it out."
                                     : "of '" + manipulator->name() +
                                           "' there are none. Leave it out, `plot` draws its aspects."));
+  const auto mode = drawn_mode(arguments, *manipulator, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const auto result = completed(surroundings, [&](const MapControl& control) {
     return compute_uniqueness(manipulator, options, control);
   });
-  if (!arguments.picture.empty()) write_picture_file(arguments.picture, draw_uniqueness(*result.uniqueness));
+  if (!arguments.picture.empty())
+    write_picture_file(arguments.picture, draw_uniqueness(*result.uniqueness, mode));
   return report_uniqueness(*result.uniqueness);
 }
 
@@ -204,6 +225,10 @@ Subcommand uniqueness_subcommand() {
                      "Draw the poses of the slice and its actuated values, with singular curves, cusps and "
                      "numbers of solutions, or the curves of cusps, as SVG or PNG",
                      &arguments->picture});
+  options.push_back({"--mode", "\"(-,-,-)\"",
+                     "Working mode of the poses of the picture, as signs of B_jj; by default that with the "
+                     "largest components",
+                     &arguments->mode});
   options.push_back({"--samples", "N", "In SO3 and SE3: poses of the certified roadmap, by default 1000",
                      &arguments->roadmap.samples});
   options.push_back(

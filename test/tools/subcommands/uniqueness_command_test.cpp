@@ -153,6 +153,11 @@ TEST_F(UniquenessCommand, RefusesWhatIsOfOtherTaskSpaces) {
         {"uniqueness", "spherical_3rrr", "--slice", "crank_1_joint=0.1", "--poses", "10"},
         {"uniqueness", "spherical_3rrr", "--slice", "crank_1_joint=0.1", "--picture", "picture.svg"},
         {"uniqueness", "five_bar", "--poses", "10"},
+        {"uniqueness", "three_prr", "--slice", "slider_1_joint=0.3", "--mode", "(-,-,-)"},
+        {"uniqueness", "three_prr", "--slice", "slider_1_joint=0.3", "--mode", "(-,-)", "--picture", "a.svg"},
+        {"uniqueness", "three_rpr", "--slice", "strut_1_joint=14.98", "--mode", "(+,+,-)", "--picture",
+         "a.svg"},
+        {"uniqueness", "three_rpr", "--cusps-over", "strut_1_joint=26:26.9", "--mode", "(+,+,+)"},
         {"uniqueness", "three_rpr", "--samples", "10", "--slice", "strut_1_joint=14.98"}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, exit_code::bad_input) << arguments[1] << ' ' << arguments[2];
