@@ -14,6 +14,10 @@ constexpr int max_steps_when_back = 32;
 // Direct solutions that are proved to be isolated are known far better than this, over the robot's size.
 constexpr double same_solution = 1e-6;
 
+bool are_same(const Manipulator& manipulator, const Pose& a, const Pose& b) noexcept {
+  return anchor_distance(manipulator, a, b) <= same_solution * manipulator.size();
+}
+
 }  // namespace
 
 const char* name(AssemblyComparison comparison) noexcept {
@@ -30,7 +34,12 @@ const char* name(AssemblyComparison comparison) noexcept {
 
 void AssemblyWatch::set_reference(const CertifiedPoint& reference) noexcept {
   reference_ = reference;
+  first_ = reference.pose;
   away_ = false;
+}
+
+bool AssemblyWatch::is_at_first(const Manipulator& manipulator) const noexcept {
+  return are_same(manipulator, first_, reference_.pose);
 }
 
 // From `q` to the reference; whole turns of actuated joints without limits are left out.
@@ -73,9 +82,8 @@ AssemblyComparison AssemblyWatch::compare(const Manipulator& manipulator, const 
   Continuation path(certifier, now, now.q + path_back(manipulator, now.q));
   if (path.run(max_steps) != ContinuationStatus::finished) return AssemblyComparison::unknown;
   end = path.at();
-  return anchor_distance(manipulator, end.pose, reference_.pose) <= same_solution * manipulator.size()
-             ? AssemblyComparison::same
-             : AssemblyComparison::other;
+  return are_same(manipulator, end.pose, reference_.pose) ? AssemblyComparison::same
+                                                          : AssemblyComparison::other;
 }
 
 }  // namespace parallel_aspects

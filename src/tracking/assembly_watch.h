@@ -20,6 +20,9 @@ class AssemblyWatch {
   void set_reference(const CertifiedPoint& reference) noexcept;
   const CertifiedPoint& reference() const noexcept { return reference_; }
 
+  /// Whether the reference is the solution that was set, or has come back to it.
+  bool is_at_first(const Manipulator& manipulator) const noexcept;
+
   /// The robot is at `now`, reached by certified continuation. `other` once for each change, when the
   /// actuated joints come back; the reference is then the present solution. `same` otherwise. Never
   /// allocates.
@@ -36,6 +39,7 @@ class AssemblyWatch {
                              const CertifiedPoint& now, int max_steps, CertifiedPoint& end) const noexcept;
 
   CertifiedPoint reference_;
+  Pose first_;  // of the reference that was set
   bool away_ = false;
 };
 

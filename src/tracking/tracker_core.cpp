@@ -302,6 +302,7 @@ void TrackerCore::watch_assembly(double time) noexcept {
   Transition transition = from_here(TransitionKind::assembly_mode, time);
   if (known) transition.mode_before = before;
   transition.inside_aspect = !mode_changed_;
+  transition.first_again = assembly_.is_at_first(*manipulator_);
   mode_changed_ = false;
   add(transition);
 }

@@ -60,6 +60,7 @@ class NonsingularAssemblyModeChange : public testing::Test {
           EXPECT_EQ(each.kind, TransitionKind::assembly_mode);
           EXPECT_TRUE(each.inside_aspect);
           EXPECT_EQ(each.determinant_sign_before, each.determinant_sign_after);
+          first_again_ = each.first_again;
           ++told;
         }
       }
@@ -72,6 +73,7 @@ class NonsingularAssemblyModeChange : public testing::Test {
   std::vector<std::size_t> ends_;
   Pose from_, to_;
   double time_ = 0.0;
+  bool first_again_ = false;  // of the last change
 };
 
 TEST_F(NonsingularAssemblyModeChange, IsToldWhenTheDrivesAreBack) {
@@ -84,9 +86,11 @@ TEST_F(NonsingularAssemblyModeChange, IsToldWhenTheDrivesAreBack) {
   ASSERT_EQ(tracker.state().status, TrackStatus::tracking);
   EXPECT_LT((tracker.state().pose.position - to_.position).norm(), 1e-6);
   EXPECT_EQ(tracker.compare_with_reference(), AssemblyComparison::same) << "the reference went along";
+  EXPECT_FALSE(first_again_);
   std::reverse(path.begin(), path.end());
   EXPECT_EQ(follow(path, tracker) % 2, 1);
   EXPECT_LT((tracker.state().pose.position - from_.position).norm(), 1e-6);
+  EXPECT_TRUE(first_again_);
 }
 
 TEST_F(NonsingularAssemblyModeChange, IsAnsweredOnDemand) {

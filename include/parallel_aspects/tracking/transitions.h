@@ -48,8 +48,10 @@ struct Transition {
   Ambiguity ambiguity = Ambiguity::none;  ///< of a loss: why
   bool inside_aspect = false;  ///< for a change of assembly mode: no working mode has changed either since
                                ///< the reference, so that both solutions are in one aspect
-  WorkingMode mode_before;     ///< one sign a leg
-  WorkingMode mode_after;      ///< one sign a leg
+  bool first_again = false;  ///< for a change of assembly mode: the platform is at the direct solution again
+                             ///< that was the reference at first
+  WorkingMode mode_before;   ///< one sign a leg
+  WorkingMode mode_after;    ///< one sign a leg
   int determinant_sign_before = 0;  ///< +1 or -1; 0 while unknown
   int determinant_sign_after = 0;   ///< +1 or -1; 0 while unknown
   int aspect_before = 0;            ///< id in the map; 0 while unknown

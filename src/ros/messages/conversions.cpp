@@ -104,7 +104,9 @@ std::string cause_of(const AspectTransition& t, const Transition& transition, bo
     case AspectTransition::LOST:
       return reason(transition.ambiguity);
     case AspectTransition::ASSEMBLY_MODE:
-      return "the actuated joints are back, and the platform is in another assembly mode";
+      return t.first_assembly_mode
+                 ? "the actuated joints are back, and the platform is in its first assembly mode again"
+                 : "the actuated joints are back, and the platform is in another assembly mode";
     default:
       if (!t.determinant_crossed) return "the aspect became known";
       return stated_anew ? "the assembly mode was stated anew" : "det A has changed its sign";
@@ -367,6 +369,7 @@ AspectTransition transition_message(const Manipulator& manipulator, const Transi
     message.joint = manipulator.leg(transition.leg).actuated_joint;
   }
   message.determinant_crossed = transition.determinant;
+  message.first_assembly_mode = transition.first_again;
   message.working_mode_before = signs_message(transition.mode_before);
   message.working_mode_after = signs_message(transition.mode_after);
   message.determinant_sign_before = static_cast<std::int8_t>(transition.determinant_sign_before);

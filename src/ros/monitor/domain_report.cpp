@@ -24,14 +24,19 @@ std::uint8_t sharing_message(DomainSharing sharing) {
   return UniquenessState::UNKNOWN;
 }
 
-std::string text_of(const AspectTransition& transition) {
+std::string no_domain_holds(std::uint8_t sharing) {
+  return sharing == UniquenessState::APART ? "no uniqueness domain holds "
+                                           : "no uniqueness domain is known to hold ";
+}
+
+std::string text_of(const AspectTransition& transition, std::uint8_t sharing) {
   const std::string reference =
       "it and basic region " + std::to_string(transition.reference_region) + ", where tracking began";
   return "basic region " + std::to_string(transition.basic_region_before) + " -> " +
          std::to_string(transition.basic_region_after) + ": " +
-         (transition.domain_shared ? "a uniqueness domain holds " + reference + ", again"
-                                   : "no uniqueness domain is known to hold " + reference +
-                                         "; the actuated joints alone do not tell the pose");
+         (transition.domain_shared
+              ? "a uniqueness domain holds " + reference + ", again"
+              : no_domain_holds(sharing) + reference + "; the actuated joints alone do not tell the pose");
 }
 
 }  // namespace
@@ -92,7 +97,7 @@ AspectTransition DomainReport::transition_of(const DomainState& found, const Tra
   message.basic_region_after = number_of(found.region);
   message.reference_region = number_of(found.reference);
   message.domain_shared = !found.warns;
-  message.message = text_of(message);
+  message.message = text_of(message, sharing_message(found.sharing));
   return message;
 }
 
@@ -103,7 +108,7 @@ UniquenessState unknown_domains(std::uint8_t known) {
 }
 
 std::string warning_of(const UniquenessState& state) {
-  return "no uniqueness domain is known to hold the pose and basic region " +
+  return no_domain_holds(state.sharing) + "the pose and basic region " +
          std::to_string(state.reference_region) +
          ", where tracking began: the actuated joints alone do not tell the pose";
 }
