@@ -34,7 +34,7 @@ class CurveSearch {
       const Box box = boxes_.back();
       boxes_.pop_back();
       const std::size_t left = boxes_.size();
-      if (effort >= largest_effort || (effort % 1024 == 0 && is_cancelled(control_))) stopped_ = true;
+      if (effort >= largest_effort || is_cancelled(control_)) stopped_ = true;
       if (stopped_ || !examine(box)) result_.undecided.push_back(box);
       if (boxes_.size() == left) done += box.measure();
     }

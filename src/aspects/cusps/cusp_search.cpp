@@ -108,7 +108,7 @@ class CuspSearch {
   void run(CuspBoxes& result) {
     boxes_.push_back(whole_slice());
     for (std::size_t effort = 0; !boxes_.empty() && boxes_.size() < most_open; ++effort) {
-      if (effort % 1024 == 0 && is_cancelled(control_)) result.cancelled = true;
+      if (is_cancelled(control_)) result.cancelled = true;
       if (result.cancelled || effort >= largest_effort) break;
       const Box box = boxes_.front();
       boxes_.pop_front();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/regions/uniqueness_domains.h"
 
-#include "parallel_aspects/aspects/uniqueness.h"
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -95,26 +93,6 @@ FoundDomains find_uniqueness_domains(const FoundRegions& found) {
     for (Regions& each : search.largest()) result.domains.push_back(std::move(each));
   }
   return result;
-}
-
-std::vector<std::size_t> Uniqueness::domains_of(std::size_t region) const {
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < domains.size(); ++i) {
-    const auto& held = domains[i].basic_regions;
-    if (std::find(held.begin(), held.end(), region) != held.end()) result.push_back(i);
-  }
-  return result;
-}
-
-DomainSharing Uniqueness::sharing(std::size_t region, std::size_t other) const {
-  const BasicRegion &a = basic_regions[region], &b = basic_regions[other];
-  for (const std::size_t domain : domains_of(region)) {
-    const auto& held = domains[domain].basic_regions;
-    if (std::find(held.begin(), held.end(), other) != held.end()) return DomainSharing::shared;
-  }
-  const bool other_aspect = a.aspect != b.aspect && a.aspect != 0 && b.aspect != 0;
-  const bool is_apart = other_aspect || (region != other && a.over == b.over);
-  return is_apart ? DomainSharing::apart : DomainSharing::unknown;
 }
 
 }  // namespace parallel_aspects
