@@ -39,8 +39,8 @@ class CurveDivision {
  public:
   CurveDivision(CuspFamily& family, const Interval& range) : family_(family), range_(range) {}
 
-  std::vector<CurvePiece> pieces_of(const CuspTrace& trace) {
-    for (std::size_t i = 0; i < trace.tubes.size(); ++i) {
+  std::vector<CurvePiece> pieces_of(const CuspTrace& trace, const MapControl& control) {
+    for (std::size_t i = 0; i < trace.tubes.size() && !is_cancelled(control); ++i) {
       const Box &from = trace.points[i], &to = trace.points[(i + 1) % trace.points.size()];
       const CuspTube& tube = trace.tubes[i];
       const Interval first = along(tube, from), last = along(tube, to);
@@ -257,8 +257,11 @@ class RunAssembly {
 
 }  // namespace
 
-CurveRuns runs_of(CuspFamily& family, const CuspTrace& trace, const Interval& range) {
-  return RunAssembly(CurveDivision(family, range).pieces_of(trace), trace, range).runs();
+CurveRuns runs_of(CuspFamily& family, const CuspTrace& trace, const Interval& range,
+                  const MapControl& control) {
+  const auto pieces = CurveDivision(family, range).pieces_of(trace, control);
+  if (is_cancelled(control)) return {};
+  return RunAssembly(pieces, trace, range).runs();
 }
 
 }  // namespace parallel_aspects

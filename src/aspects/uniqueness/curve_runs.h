@@ -6,6 +6,7 @@
 #include "aspects/cusps/cusp_trace.h"
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 
 #include <vector>
@@ -31,8 +32,10 @@ struct CurveRuns {
   std::vector<CuspEvent> touches;  ///< where it may come within limits, or not
 };
 
-/// Of a trace, between these held coordinates and within limits of the joints that move.
-CurveRuns runs_of(CuspFamily& family, const CuspTrace& trace, const Interval& range);
+/// Of a trace, between these held coordinates and within limits of the joints that move. Nothing when
+/// cancelled.
+CurveRuns runs_of(CuspFamily& family, const CuspTrace& trace, const Interval& range,
+                  const MapControl& control = {});
 
 }  // namespace parallel_aspects
 

@@ -68,7 +68,7 @@ class CurvesOfRange {
       find_in(postures[i], part_of(control, done, done + share));
     }
     result_.undecided = merged(std::move(result_.undecided));
-    result_.complete = result_.undecided.empty();
+    result_.complete = result_.undecided.empty() && !is_cancelled(control);
     count();
     return std::move(result_);
   }
@@ -81,13 +81,14 @@ class CurvesOfRange {
       CuspFamily family(*slice_, posture);
       const CuspTraces found = find_cusp_traces(family, bounds_, control);
       for (const Box& box : found.undecided) add_undecided(box);
-      for (const CuspTrace& trace : found.traces) add_runs(trace, family, runs);
+      for (const CuspTrace& trace : found.traces) add_runs(trace, family, control, runs);
     }
     for (const CurveRun& run : runs) add(run, posture);
   }
 
-  void add_runs(const CuspTrace& trace, CuspFamily& family, std::vector<CurveRun>& runs) {
-    CurveRuns found = runs_of(family, trace, {bounds_.lower, bounds_.upper});
+  void add_runs(const CuspTrace& trace, CuspFamily& family, const MapControl& control,
+                std::vector<CurveRun>& runs) {
+    CurveRuns found = runs_of(family, trace, {bounds_.lower, bounds_.upper}, control);
     touches_.insert(touches_.end(), found.touches.begin(), found.touches.end());
     std::move(found.runs.begin(), found.runs.end(), std::back_inserter(runs));
   }
