@@ -139,10 +139,13 @@ RoadmapOptions parse_roadmap(const RoadmapArguments& arguments, Problems& proble
 std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipulator> manipulator,
                                                    const RoadmapOptions& options,
                                                    const Surroundings& surroundings) {
-  const auto result = completed(surroundings, [&](const MapControl& control) {
-    return compute_pose_roadmap(manipulator, options, control);
-  });
-  return result.roadmap;
+  const ShownComputation shown(surroundings);
+  return compute_roadmap(std::move(manipulator), options, shown.control());
+}
+
+std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipulator> manipulator,
+                                                   const RoadmapOptions& options, const MapControl& control) {
+  return required(compute_pose_roadmap(std::move(manipulator), options, control)).roadmap;
 }
 
 }  // namespace parallel_aspects::tools

@@ -85,6 +85,10 @@ std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipul
                                                    const RoadmapOptions& options,
                                                    const Surroundings& surroundings);
 
+/// The same as a part of a computation that is shown.
+std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipulator> manipulator,
+                                                   const RoadmapOptions& options, const MapControl& control);
+
 }  // namespace parallel_aspects::tools
 
 #endif  // PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H

@@ -43,15 +43,20 @@ class ShownComputation {
   std::optional<ProgressBar> bar_;
 };
 
+/// Throws Interrupted where it was cancelled, and InvalidDescription with the message where it was refused.
+template <class Result>
+Result required(Result result) {
+  if (result.status == MapStatus::cancelled) throw Interrupted{};
+  if (result.status == MapStatus::refused) throw InvalidDescription({result.message});
+  return result;
+}
+
 /// What `compute(const MapControl&)` results in when complete, with a progress bar where messages go to a
 /// terminal. Throws Interrupted at Ctrl-C, and InvalidDescription with the message where it refuses.
 template <class Compute>
 auto completed(const Surroundings& surroundings, const Compute& compute) {
   const ShownComputation shown(surroundings);
-  auto result = compute(shown.control());
-  if (result.status == MapStatus::cancelled) throw Interrupted{};
-  if (result.status == MapStatus::refused) throw InvalidDescription({result.message});
-  return result;
+  return required(compute(shown.control()));
 }
 
 }  // namespace parallel_aspects::tools

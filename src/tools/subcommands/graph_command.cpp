@@ -41,9 +41,9 @@ Report report_over_roadmap(const std::shared_ptr<const Manipulator>& manipulator
         "--picture is for maps, and in SE3 only slices have these; give --slice, or --dot for the graph over "
         "the roadmap.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  const auto roadmap = compute_roadmap(manipulator, options, surroundings);
   const ShownComputation shown(surroundings);
-  const auto graph = compute_roadmap_graph(*roadmap, shown.control());
+  const auto roadmap = compute_roadmap(manipulator, options, part_of(shown.control(), 0.0, 0.5));
+  const auto graph = compute_roadmap_graph(*roadmap, part_of(shown.control(), 0.5, 1.0));
   if (!graph) throw Interrupted{};
   Report report = report_graph(*roadmap, *graph);
   if (arguments.dot) report.text = graph_as_dot(*graph);

@@ -107,9 +107,9 @@ Report report_of_survey(const UniquenessArguments& arguments, const std::shared_
                              : parse_count("--poses", arguments.poses, most_poses, problems, 1);
   refuse_tolerance(arguments.constraints, *robot, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  const auto roadmap = compute_roadmap(robot, options, surroundings);
   const ShownComputation shown(surroundings);
-  const auto survey = survey_assembly_modes(*roadmap, poses, shown.control());
+  const auto roadmap = compute_roadmap(robot, options, part_of(shown.control(), 0.0, 0.5));
+  const auto survey = survey_assembly_modes(*roadmap, poses, part_of(shown.control(), 0.5, 1.0));
   if (!survey) throw Interrupted{};
   return report_assembly_survey(*roadmap, *survey);
 }
