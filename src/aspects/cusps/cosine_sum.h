@@ -22,6 +22,8 @@ using SliceRanges = std::array<Interval, 2>;
 /// Whether phi + a is needed, too.
 enum class SliceSums { no, yes };
 
+inline bool may_vanish(const Interval& value) noexcept { return !value.positive() && !value.negative(); }
+
 /// What is needed of the ranges for all legs.
 struct SliceTurns {
   Turn<Interval> direction, phi, difference;  ///< of a, phi and phi - a

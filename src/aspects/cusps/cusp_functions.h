@@ -17,8 +17,6 @@
 
 namespace parallel_aspects {
 
-inline bool may_vanish(const Interval& value) noexcept { return !value.positive() && !value.negative(); }
-
 /// Both legs whose joints move, over a box.
 using CuspLegs = std::array<HeldSlice::LegOver, 2>;
 

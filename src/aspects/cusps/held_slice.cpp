@@ -13,8 +13,6 @@
 namespace parallel_aspects {
 namespace {
 
-bool may_be_zero(const Interval& value) noexcept { return !value.positive() && !value.negative(); }
-
 std::vector<int> signs_of(const Leg& leg) {
   std::vector<int> signs;
   for (const int sign : {1, -1})
@@ -29,7 +27,7 @@ Spatial<Interval> difference(const Spatial<Interval>& a, const Eigen::Vector3d& 
 /// Angles of the points of a rectangle; nothing where it holds the origin. They span less than half a turn,
 /// and the corners have the least and the greatest.
 std::optional<Interval> angle_over(const Interval& x, const Interval& y) noexcept {
-  if (may_be_zero(x) && may_be_zero(y)) return std::nullopt;
+  if (may_vanish(x) && may_vanish(y)) return std::nullopt;
   const double x0 = middle_of(x), y0 = middle_of(y);
   double least = 0.0, greatest = 0.0;
   for (const double at : {x.lower(), x.upper()})

@@ -45,7 +45,7 @@ bool may_be_singular(const Functions& over, const Functions& center, const Slice
   const Interval at = bracket(center.g[0], center.g[1]).value();
   const Interval linear = at + d.at(1, 0) * middle.offset(0) + d.at(0, 1) * middle.offset(1) +
                           determinant_slope(over) * middle.offset(2);
-  return !linear.positive() && !linear.negative();
+  return may_vanish(linear);
 }
 
 Direction normalized(const Direction& v) {
