@@ -52,7 +52,9 @@ class ParallelSearch {
   }
 
  private:
-  static constexpr int max_attempts = 12;
+  // Searches for witnesses from boxes: these, and one more for so many boxes. Where the first ones lead
+  // elsewhere, boxes come near the nearest zero all the same.
+  static constexpr int first_attempts = 12, boxes_an_attempt = 32;
 
   // With a map so many boxes are evaluated for the tolerance, and the others for so many tolerances only.
   static constexpr int few_boxes = 20, coarser = 5;
@@ -65,6 +67,8 @@ class ParallelSearch {
   int max_boxes() const noexcept {
     return size > 3 ? std::max(least_boxes, options_.max_boxes / box_cost) : options_.max_boxes;
   }
+
+  int max_attempts() const noexcept { return first_attempts + result_.boxes / boxes_an_attempt; }
 
   double target() const noexcept {
     return result_.has_witness() ? std::min(range_.radius, (1.0 - options_.tolerance) * result_.upper)
@@ -142,7 +146,7 @@ class ParallelSearch {
     if (range.lower() > 0.0 || over_.is_positive_where_reached(value, cell, target())) return;
     if (range.upper() < 0.0) {
       // Beyond a singularity: between here and the origin there is a witness, unless legs do not reach there.
-      if (attempts_ < max_attempts) look_for_witness(determinant_->reflected_point(cell.center));
+      if (attempts_ < max_attempts()) look_for_witness(determinant_->reflected_point(cell.center));
       return;
     }
     if (over_.is_free_by_norm(cell, target())) return;
@@ -164,7 +168,7 @@ class ParallelSearch {
   // Where det A is expected to vanish in the cell, nearer than all witnesses.
   void look_where_expected(const LinearModel<size>& model, const Cell<size>& cell) noexcept {
     const double squared = model.gradient_length * model.gradient_length;
-    if (!(squared > 0.0) || attempts_ >= max_attempts) return;
+    if (!(squared > 0.0) || attempts_ >= max_attempts()) return;
     const double factor = -0.5 * (model.below_at_origin + model.above_at_origin) / squared;
     Coordinates<size> y;
     for (std::size_t i = 0; i < size; ++i) {
@@ -203,7 +207,7 @@ class ParallelSearch {
   // Surfaces det A = 0 may end where a leg just reaches. There det A has no slope, and steps go by det A at a
   // small constant |B_jj| and by B_jj^2 itself.
   void look_at_corner(const Cell<size>& cell) noexcept {
-    if (corner_attempts_ >= max_attempts || !(cell.least_length() < 0.98 * result_.upper)) return;
+    if (corner_attempts_ >= max_attempts() || !(cell.least_length() < 0.98 * result_.upper)) return;
     std::size_t held = 0;
     for (const bool unclear : over_.unclear) held += unclear ? 1 : 0;
     if (held + 1 > size) return;

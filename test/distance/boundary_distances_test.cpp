@@ -137,6 +137,16 @@ TEST(BoundaryDistances, OptionsOutOfRangeAreRefused) {
   EXPECT_THROW(BoundaryDistanceMeter(test::bipod(), DistanceOptions{0.01, 0}), InvalidDescription);
 }
 
+// Zeros of det A where the rods are parallel, by a search along them: the first steps from these poses lead
+// elsewhere.
+TEST(FiveBarDistances, TheNearestSingularityIsFoundWhereTheFirstStepsLeadElsewhere) {
+  BoundaryDistanceMeter meter(test::five_bar());
+  expect_distance(meter.measure(at(5.583065312540176, 11.564917774977864), mode_of({-1, 1})).parallel,
+                  5.246642, 2e-3);
+  expect_distance(meter.measure(at(10.809365546491014, -5.840266199349996), mode_of({-1, -1})).parallel,
+                  3.404113, 2e-3);
+}
+
 // However little is spent, what is proved holds: it stays below the distance that much work finds.
 TEST(BoundaryDistances, ASmallBudgetIsLooseButRight) {
   const Pose pose = turned(-8.72659533, 12.17566975, -0.98697424);
