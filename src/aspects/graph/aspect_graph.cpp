@@ -17,11 +17,11 @@ namespace {
 
 std::uint32_t index_of_aspect(int id) { return static_cast<std::uint32_t>(id - 1); }
 
-/// Measures what the inside leaves of some aspects cover, each pose once.
+/// Measures what the inside leaves of some aspects cover, each pose once; anything when cancelled.
 class Workspace {
  public:
-  Workspace(const AspectMap::Contents& map, const AspectSet& set)
-      : map_(map), belongs_(map.aspects.size() + 1) {
+  Workspace(const AspectMap::Contents& map, const AspectSet& set, const MapControl& control)
+      : map_(map), control_(control), belongs_(map.aspects.size() + 1) {
     for (const int aspect : set.aspects) belongs_[static_cast<std::size_t>(aspect)] = true;
   }
 
@@ -43,7 +43,7 @@ class Workspace {
       const int aspect = map_.leaf_aspect(node, mode);
       if (belongs_[static_cast<std::size_t>(aspect)]) return map_.tree.space().measure(map_.tree.box(node));
     }
-    if (divided == 0) return 0.0;
+    if (divided == 0 || is_cancelled(control_)) return 0.0;
     double sum = 0.0;
     const NodeIndex first = map_.tree.first_child(node);
     for (NodeIndex rank = 0; rank < map_.tree.children_per_node(); ++rank)
@@ -52,6 +52,7 @@ class Workspace {
   }
 
   const AspectMap::Contents& map_;
+  const MapControl& control_;
   std::vector<bool> belongs_;  // by id; not 0
 };
 
@@ -96,7 +97,7 @@ std::shared_ptr<const AspectGraph> compute_aspect_graph(const AspectMap& map, co
   std::vector<int> signs;
   for (const Aspect& aspect : map.aspects()) signs.push_back(aspect.determinant_sign);
   graph.sets = joined_sets(signs, graph.gates);
-  for (AspectSet& set : graph.sets) set.workspace_lower = Workspace(map.contents(), set).measure();
+  for (AspectSet& set : graph.sets) set.workspace_lower = Workspace(map.contents(), set, control).measure();
   find_groups(map, control, graph);
   if (is_cancelled(control)) return nullptr;
   auto found = std::make_shared<const AspectGraph>(std::move(graph));
