@@ -39,9 +39,9 @@ constexpr int points_of_cell = 3;
 
 constexpr Rgb no_color = 0xFFFFFF;
 
-/// That of which the components are the largest together.
+/// That of which the components are the largest together; the first where there are none.
 WorkingMode largest_mode(const AspectMap& map) {
-  WorkingMode largest = map.working_modes().front();
+  WorkingMode largest = working_modes(*map.manipulator()).front();
   double most = -1.0;
   for (const WorkingMode& mode : map.working_modes()) {
     double measure = 0.0;

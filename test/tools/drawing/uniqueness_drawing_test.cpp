@@ -152,6 +152,12 @@ TEST(UniquenessDrawing, NamesCuspsOfTheModeAlone) {
   }
 }
 
+TEST(UniquenessDrawing, ShowsSlicesWithoutComponents) {
+  const auto empty = uniqueness_of("three_prr", "slider_1_joint", 1.2);
+  ASSERT_TRUE(empty->map->aspects().empty());
+  EXPECT_TRUE(has(draw_uniqueness(*empty), "actuated values"));
+}
+
 TEST(UniquenessDrawing, TellsWhatWhiteIs) {
   EXPECT_TRUE(has(draw_uniqueness(three_rrr()), "no number is proved, no solution, or out of reach"));
 }
