@@ -65,9 +65,25 @@ unsigned parse_count(const std::string& option, const std::string& text, unsigne
   return least;
 }
 
+namespace {
+
+/// Numbers as answers print them, each behind its name: without the names.
+std::vector<std::string> without_names(std::vector<std::string> words,
+                                       const std::vector<std::string>& names) {
+  if (words.size() != 2 * names.size()) return words;
+  std::vector<std::string> numbers;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (words[2 * i] != names[i]) return words;
+    numbers.push_back(words[2 * i + 1]);
+  }
+  return numbers;
+}
+
+}  // namespace
+
 std::vector<double> parse_numbers(const std::string& option, const std::string& text,
                                   const std::vector<std::string>& names, Problems& problems) {
-  const std::vector<std::string> given = split_words(text);
+  const std::vector<std::string> given = without_names(split_words(text), names);
   if (given.size() != names.size())
     problems.push_back(option + " has " + counted(given.size(), "number") + ", but needs " +
                        std::to_string(names.size()) + ": \"" + joined(names, " ") + "\".");

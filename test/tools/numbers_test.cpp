@@ -19,6 +19,14 @@ TEST(Numbers, AreSeparatedByBlanksOrCommas) {
   }
 }
 
+TEST(Numbers, MayHaveTheirNamesAsAnswersPrintThem) {
+  Problems problems;
+  EXPECT_EQ(parse_numbers("--pose", "x -1, y 2.5", {"x", "y"}, problems), Numbers({-1.0, 2.5}));
+  EXPECT_TRUE(problems.empty());
+  parse_numbers("--pose", "y -1, x 2.5", {"x", "y"}, problems);
+  EXPECT_FALSE(problems.empty());
+}
+
 TEST(Numbers, NamedOnesMayHaveBlanksAroundTheSign) {
   EXPECT_EQ(words_of_list("z = 0.5, roll=0  yaw= 1"), (std::vector<std::string>{"z=0.5", "roll=0", "yaw=1"}));
 }
