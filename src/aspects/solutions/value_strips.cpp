@@ -238,16 +238,17 @@ void enclose_parallel_singularities(const HeldSlice& slice, const JointRanges& r
 void enclose_serial_singularities(const HeldSlice& slice, const JointRanges& ranges, const StripSizes& sizes,
                                   const MapControl& control, const TakeStrip& take) {
   assert_rounding_upward();
-  for (std::size_t of = 0; of <= 2; ++of) {
-    const MapControl part =
-        part_of(control, static_cast<double>(of) / 3.0, static_cast<double>(of + 1) / 3.0);
+  const auto count = static_cast<double>(3 * slice.postures().size());
+  double done = 0.0;
+  for (std::size_t of = 0; of <= 2; ++of)
     for (SlicePosture signs : slice.postures()) {
+      const MapControl part = part_of(control, done / count, (done + 1.0) / count);
+      done += 1.0;
       if (of < 2 && signs[of] != slice.postures().front()[of]) continue;  // both meet there
       if (of < 2) signs[of] = 0;
       const SerialStrips strips(slice, ranges, of, signs, sizes, take);
       if (!cover_slice(part, [&](const Box& box, double width) { return strips.settle(box, width); })) return;
     }
-  }
 }
 
 }  // namespace parallel_aspects

@@ -133,6 +133,7 @@ void find_regions_of_slice(const MapControl& control, Uniqueness& result) {
     add_regions(*values, *mode, sets, result.basic_regions);
     sets += mode->grid().sets().size();
   }
+  if (control.progress) control.progress(1.0);
   result.has_domains = true;
   result.region_of = [grids](const Pose& pose, const WorkingMode& mode) {
     return grids->region_at(pose, mode);

@@ -51,7 +51,11 @@ class NumberedGrid {
     enclose_serial_singularities(slice(), ranges(), sizes, part_of(control, 0.6, 0.8), mark);
     if (is_cancelled(control)) return;
     grid_.join(least_cells_of_set);
-    for (const GridSet& set : grid_.sets()) sets_.push_back({find_slice_solutions(slice(), set.inside), {}});
+    for (const GridSet& set : grid_.sets()) {
+      sets_.push_back({find_slice_solutions(slice(), set.inside), {}});
+      const double share = static_cast<double>(sets_.size()) / static_cast<double>(grid_.sets().size());
+      if (control.progress) control.progress(0.8 + 0.2 * share);
+    }
   }
 
   void add_to(SolutionNumbers& result) {

@@ -127,7 +127,9 @@ std::string find_held_range_problem(const Manipulator& manipulator, const HeldRa
            " has no limits on both sides; give the ends of a range, such as " +
            example_of_held_range(manipulator, range.leg) + ".";
   if (!(range.lower < range.upper))
-    return "The lower end of the range of the joint that is held is not below the upper; give two values.";
+    return "The range of " + in_quotes(manipulator.leg(range.leg).actuated_joint) +
+           " does not begin below its end; give the smaller value first, such as " +
+           example_of_held_range(manipulator, range.leg) + ".";
   for (const double value : {range.lower, range.upper}) {
     const std::string problem = find_held_value_problem(manipulator, {range.leg, value, false}, "The range");
     if (!problem.empty()) return problem;

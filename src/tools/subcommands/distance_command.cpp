@@ -47,7 +47,7 @@ DistanceQuestion parse(const DistanceArguments& arguments, const Manipulator& ma
     question.options.tolerance = parse_positive("--tolerance", arguments.tolerance, problems);
   if (!arguments.boxes.empty())
     question.options.max_boxes =
-        static_cast<int>(parse_count("--boxes", arguments.boxes, max_boxes, problems));
+        static_cast<int>(parse_count("--boxes", arguments.boxes, max_boxes, problems, 1));
   if (arguments.asks_map() && manipulator.task_space() == TaskSpace::SE3)
     problems.push_back(
         "With six degrees of freedom there is no map of all poses that distances could ask; leave out --map "
