@@ -111,6 +111,15 @@ std::size_t GridRegions::possible_neighbours(const std::array<std::size_t, 2>& s
   return result;
 }
 
+/// Whether a region over the other set is of its aspect, and not known to be a neighbour.
+bool GridRegions::may_be_new(std::size_t region, std::size_t other, const RegionPairs& known) const {
+  const std::vector<std::size_t>& there = region_of_[other];
+  return std::any_of(there.begin(), there.end(), [&](std::size_t each) {
+    return result_.regions[each].aspect == result_.regions[region].aspect &&
+           known.count(std::minmax(region, each)) == 0;
+  });
+}
+
 /// From the values inside the one set to those inside the other. Whether any regions are new neighbours.
 bool GridRegions::cross(const GridGap& gap) {
   Corners corners = runs_.path_to(gap.ends[0]);
@@ -122,6 +131,7 @@ bool GridRegions::cross(const GridGap& gap) {
   std::sort(sets.begin(), sets.end());
   const std::size_t known = neighbours_[sets].size();
   for (std::size_t k = 0; k < solved_[gap.sets[0]]->boxes.size(); ++k) {
+    if (!may_be_new(region_of_[gap.sets[0]][k], gap.sets[1], neighbours_[sets])) continue;
     const auto box = follow(solved_[gap.sets[0]]->boxes[k], corners);
     const auto end = box ? arrived(gap.sets[1], *box, corners.back()) : std::nullopt;
     if (!end) continue;

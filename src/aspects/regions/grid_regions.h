@@ -54,12 +54,14 @@ class GridRegions {
 
  private:
   using Corners = std::vector<GridPlace>;
+  using RegionPairs = std::set<std::pair<std::size_t, std::size_t>>;  // the smaller index first
 
   void find_regions(std::size_t set);
   void label(std::size_t set, RegionsOfSet& of) const;
   void find_neighbours(std::size_t axis, const MapControl& control);
   std::vector<GridPlace> cells_in(const GridGap& gap) const;
   std::size_t possible_neighbours(const std::array<std::size_t, 2>& sets) const;
+  bool may_be_new(std::size_t region, std::size_t other, const RegionPairs& known) const;
   bool cross(const GridGap& gap);
   std::optional<Box> follow(Box box, const Corners& corners) const;
   std::optional<std::size_t> arrived(std::size_t set, const Box& box, const GridPlace& at) const;
@@ -69,9 +71,9 @@ class GridRegions {
   SliceEquations equations_;
   SolutionTracker tracker_;
   GridRuns runs_;
-  std::vector<std::optional<ModeSolutions>> solved_;  // by set
-  std::vector<std::vector<std::size_t>> region_of_;   // by set and solution
-  std::map<std::array<std::size_t, 2>, std::set<std::pair<std::size_t, std::size_t>>> neighbours_;  // by sets
+  std::vector<std::optional<ModeSolutions>> solved_;              // by set
+  std::vector<std::vector<std::size_t>> region_of_;               // by set and solution
+  std::map<std::array<std::size_t, 2>, RegionPairs> neighbours_;  // by sets
   std::set<GridPlace> crossed_;  // cells in no set that neighbours are joined through
   FoundRegions result_;
 };
