@@ -32,8 +32,8 @@ struct NamedPose {
 };
 
 /// The slice that `option` names; nothing for an empty text. The ends, typed in a few digits, are put onto
-/// it, and `moved` says by how much at most [m]; where that is more than the six digits of a table leave
-/// open, they are refused and the nearest pose is told.
+/// it, and `moved` says by how much at most [m]. Where that is more than the rounding of a table to six
+/// digits, they are refused, and the message gives the nearest pose.
 std::optional<MapSlice> parse_slice_with_ends(const std::string& option, const Manipulator& manipulator,
                                               const std::string& text, const std::vector<NamedPose>& ends,
                                               double& moved, Problems& problems);
