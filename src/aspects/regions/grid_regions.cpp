@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 
 namespace parallel_aspects {
 namespace {
@@ -21,6 +22,10 @@ constexpr double turn_slack = 1e-12;
 
 // A box of a solution about itself for all these values is so much larger at each end [half turns].
 constexpr double arrival_margin = 1e-9;
+
+std::pair<std::size_t, std::size_t> sets_of(const GridGap& gap) {
+  return std::minmax(gap.sets[0], gap.sets[1]);
+}
 
 std::vector<GridPlace> reversed(const std::vector<GridPlace>& corners) {
   return {corners.rbegin(), corners.rend()};
@@ -43,9 +48,7 @@ GridRegions::GridRegions(const HeldSlice& slice, const ValueGrid& grid, const So
     if (solved_.back()) find_regions(set);
   }
   for (const std::size_t axis : {0U, 1U}) find_neighbours(axis, control);
-  for (const auto& [sets, found] : neighbours_)
-    result_.neighbours.insert(result_.neighbours.end(), found.begin(), found.end());
-  std::sort(result_.neighbours.begin(), result_.neighbours.end());
+  result_.neighbours.assign(neighbours_.begin(), neighbours_.end());
 }
 
 void GridRegions::find_regions(std::size_t set) {
@@ -84,39 +87,33 @@ std::vector<GridPlace> GridRegions::cells_in(const GridGap& gap) const {
 // Lines in rows have no values in common, nor have those in columns. A line in a column must not meet one in
 // a row: over the values where they do the paths could be at two poses.
 void GridRegions::find_neighbours(std::size_t axis, const MapControl& control) {
-  std::map<std::array<std::size_t, 2>, std::vector<GridGap>> between;
-  for (const GridGap& gap : runs_.gaps(axis, longest_gap)) {
-    std::array<std::size_t, 2> sets = gap.sets;
-    std::sort(sets.begin(), sets.end());
-    if (neighbours_[sets].size() < possible_neighbours(sets)) between[sets].push_back(gap);
-  }
+  std::map<IndexPair, std::vector<GridGap>> between;
+  for (const GridGap& gap : runs_.gaps(axis, longest_gap)) between[sets_of(gap)].push_back(gap);
   for (const auto& [sets, gaps] : between) {
-    const std::size_t possible = possible_neighbours(sets), step = 1 + gaps.size() / gaps_between_sets;
+    const std::size_t step = 1 + gaps.size() / gaps_between_sets;
     for (std::size_t i = step / 2; i < gaps.size() && !is_cancelled(control); i += step) {
+      if (!has_new_neighbours(sets)) break;
       const std::vector<GridPlace> cells = cells_in(gaps[i]);
       const bool is_free = std::none_of(cells.begin(), cells.end(),
                                         [&](const GridPlace& cell) { return crossed_.count(cell) > 0; });
       if ((axis == 0 || is_free) && cross(gaps[i])) crossed_.insert(cells.begin(), cells.end());
-      if (neighbours_[sets].size() == possible) break;
     }
   }
 }
 
-/// How many regions of the one set share their aspect with how many of the other.
-std::size_t GridRegions::possible_neighbours(const std::array<std::size_t, 2>& sets) const {
-  std::size_t result = 0;
-  for (const std::size_t a : std::set<std::size_t>(region_of_[sets[0]].begin(), region_of_[sets[0]].end()))
-    for (const std::size_t b : std::set<std::size_t>(region_of_[sets[1]].begin(), region_of_[sets[1]].end()))
-      if (result_.regions[a].aspect != 0 && result_.regions[a].aspect == result_.regions[b].aspect) ++result;
-  return result;
+/// Whether regions over both sets share their aspect, and are not known to be neighbours.
+bool GridRegions::has_new_neighbours(const IndexPair& sets) const {
+  const std::vector<std::size_t>& regions = region_of_[sets.first];
+  return std::any_of(regions.begin(), regions.end(),
+                     [&](std::size_t each) { return may_be_new(each, sets.second); });
 }
 
 /// Whether a region over the other set is of its aspect, and not known to be a neighbour.
-bool GridRegions::may_be_new(std::size_t region, std::size_t other, const RegionPairs& known) const {
-  const std::vector<std::size_t>& there = region_of_[other];
-  return std::any_of(there.begin(), there.end(), [&](std::size_t each) {
-    return result_.regions[each].aspect == result_.regions[region].aspect &&
-           known.count(std::minmax(region, each)) == 0;
+bool GridRegions::may_be_new(std::size_t region, std::size_t other) const {
+  const int aspect = result_.regions[region].aspect;
+  return std::any_of(region_of_[other].begin(), region_of_[other].end(), [&](std::size_t each) {
+    return aspect != 0 && result_.regions[each].aspect == aspect &&
+           neighbours_.count(std::minmax(region, each)) == 0;
   });
 }
 
@@ -127,18 +124,18 @@ bool GridRegions::cross(const GridGap& gap) {
   const GridPlace there = moved({gap.ends[1]}, gap.ends[0], corners.back()).front();
   const Corners rest = moved(reversed(back), back.back(), there);
   corners.insert(corners.end(), rest.begin(), rest.end());
-  std::array<std::size_t, 2> sets = gap.sets;
-  std::sort(sets.begin(), sets.end());
-  const std::size_t known = neighbours_[sets].size();
-  for (std::size_t k = 0; k < solved_[gap.sets[0]]->boxes.size(); ++k) {
-    if (!may_be_new(region_of_[gap.sets[0]][k], gap.sets[1], neighbours_[sets])) continue;
+  const std::size_t known = neighbours_.size();
+  for (std::size_t k = 0; k < region_of_[gap.sets[0]].size(); ++k) {
+    const std::size_t region = region_of_[gap.sets[0]][k];
+    if (!may_be_new(region, gap.sets[1])) continue;
     const auto box = follow(solved_[gap.sets[0]]->boxes[k], corners);
     const auto end = box ? arrived(gap.sets[1], *box, corners.back()) : std::nullopt;
     if (!end) continue;
-    const std::size_t a = region_of_[gap.sets[0]][k], b = region_of_[gap.sets[1]][*end];
-    if (result_.regions[a].aspect == result_.regions[b].aspect) neighbours_[sets].insert(std::minmax(a, b));
+    const std::size_t other = region_of_[gap.sets[1]][*end];
+    if (result_.regions[region].aspect == result_.regions[other].aspect)
+      neighbours_.insert(std::minmax(region, other));
   }
-  return neighbours_[sets].size() > known;
+  return neighbours_.size() > known;
 }
 
 ActuatedValues GridRegions::values_at(const GridPlace& place) const {

@@ -6,15 +6,14 @@
 #include "aspects/regions/found_regions.h"
 #include "aspects/solutions/grid_runs.h"
 #include "aspects/solutions/slice_equations.h"
-#include "aspects/solutions/slice_solver.h"
 #include "aspects/solutions/solution_tracker.h"
 #include "aspects/solutions/value_grid.h"
+#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_control.h"
-#include "parallel_aspects/kinematics/working_mode.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -22,14 +21,13 @@
 
 namespace parallel_aspects {
 
-/// Solutions that are all there are of a working mode, or nothing where that is not proved, and the aspect of
-/// each; 0 where nobody can tell.
+/// All solutions that a working mode has for some joint values.
 struct ModeSolutions {
-  std::vector<Box> boxes;  ///< each with one, no two the same
-  std::vector<int> aspects;
+  std::vector<Box> boxes;    ///< each with one, no two the same
+  std::vector<int> aspects;  ///< of each; 0 where nobody can tell
 };
 
-/// Of joint values.
+/// Those of joint values; nothing where it is not proved that these are all.
 using SolveMode = std::function<std::optional<ModeSolutions>(const std::array<double, 2>&)>;
 
 /// The basic regions of the aspects of one working mode, over the sets of a grid in which all cells are
@@ -54,14 +52,14 @@ class GridRegions {
 
  private:
   using Corners = std::vector<GridPlace>;
-  using RegionPairs = std::set<std::pair<std::size_t, std::size_t>>;  // the smaller index first
+  using IndexPair = std::pair<std::size_t, std::size_t>;  // the smaller first
 
   void find_regions(std::size_t set);
   void label(std::size_t set, RegionsOfSet& of) const;
   void find_neighbours(std::size_t axis, const MapControl& control);
   std::vector<GridPlace> cells_in(const GridGap& gap) const;
-  std::size_t possible_neighbours(const std::array<std::size_t, 2>& sets) const;
-  bool may_be_new(std::size_t region, std::size_t other, const RegionPairs& known) const;
+  bool has_new_neighbours(const IndexPair& sets) const;
+  bool may_be_new(std::size_t region, std::size_t other) const;
   bool cross(const GridGap& gap);
   std::optional<Box> follow(Box box, const Corners& corners) const;
   std::optional<std::size_t> arrived(std::size_t set, const Box& box, const GridPlace& at) const;
@@ -71,10 +69,10 @@ class GridRegions {
   SliceEquations equations_;
   SolutionTracker tracker_;
   GridRuns runs_;
-  std::vector<std::optional<ModeSolutions>> solved_;              // by set
-  std::vector<std::vector<std::size_t>> region_of_;               // by set and solution
-  std::map<std::array<std::size_t, 2>, RegionPairs> neighbours_;  // by sets
-  std::set<GridPlace> crossed_;  // cells in no set that neighbours are joined through
+  std::vector<std::optional<ModeSolutions>> solved_;  // by set
+  std::vector<std::vector<std::size_t>> region_of_;   // by set and solution
+  std::set<IndexPair> neighbours_;                    // regions
+  std::set<GridPlace> crossed_;                       // cells in no set that neighbours are joined through
   FoundRegions result_;
 };
 

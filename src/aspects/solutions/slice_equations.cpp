@@ -27,31 +27,21 @@ PairOverBox SliceEquations::at(const Box& box, const ActuatedValues& values) con
   return over(box, {values[0], values[1]});
 }
 
-LegsAt SliceEquations::legs_between(const ActuatedValues& from, const ActuatedValues& to) const {
-  LegsAt legs;
-  for (std::size_t i = 0; i < 2; ++i)
-    legs[i] = slice_.leg_at(i, Interval(std::min(from[i], to[i]), std::max(from[i], to[i])));
-  return legs;
-}
-
-bool SliceEquations::keeps_mode(const Box& box, const ActuatedValues& from, const ActuatedValues& to) const {
-  const SlicePlace place = slice_.place(box);
-  const LegsAt legs = legs_between(from, to);
-  return slice_.held_sign(place) != 0 && std::none_of(legs.begin(), legs.end(), [&](const auto& leg) {
-           return may_vanish(leg.slope.template jet<0>(place.over()).value());
-         });
-}
-
 // In the middle of the box g(m + t h) is  g(m) + t h g'  with g' of all values between.
-PairOverBox SliceEquations::between(const Box& box, const ActuatedValues& from,
-                                    const ActuatedValues& to) const {
+std::optional<PairOverBox> SliceEquations::between(const Box& box, const ActuatedValues& from,
+                                                   const ActuatedValues& to) const {
   const SlicePlace place = slice_.place(box);
-  const LegsAt all = legs_between(from, to);
-  PairOverBox pair = pair_over(all, place);
+  if (slice_.held_sign(place) == 0) return std::nullopt;
+  PairOverBox pair;
   for (std::size_t i = 0; i < 2; ++i) {
+    const HeldSlice::LegAt all =
+        slice_.leg_at(i, Interval(std::min(from[i], to[i]), std::max(from[i], to[i])));
+    if (may_vanish(all.slope.jet<0>(place.over()).value())) return std::nullopt;
+    const Jet<1> g = all.equation.jet<1>(place.over());
+    pair.jacobian[i] = {g.at(1, 0), g.at(0, 1)};
     const Interval middle = Interval(0.5) * (Interval(from[i]) + Interval(to[i]));
     const Interval half = Interval(0.5) * (Interval(to[i]) - Interval(from[i]));
-    const Interval slope = all[i].slope.jet<0>(place.center()).value();
+    const Interval slope = all.slope.jet<0>(place.center()).value();
     const Interval drift = half * Interval(middle_of(slope));
     pair.center[i] = slice_.leg_at(i, middle).equation.jet<0>(place.center()).value() +
                      (half * slope - drift) * Interval(-1.0, 1.0);

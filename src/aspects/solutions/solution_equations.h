@@ -6,6 +6,7 @@
 #include "parallel_aspects/aspects/box.h"
 
 #include <array>
+#include <optional>
 
 namespace parallel_aspects {
 
@@ -21,10 +22,9 @@ class SolutionEquations {
   virtual PairOverBox at(const Box& box, const ActuatedValues& values) const = 0;
 
   /// Over a box, for all values on the line between two: there the parameter of the drift is -1 and 1.
-  virtual PairOverBox between(const Box& box, const ActuatedValues& from, const ActuatedValues& to) const = 0;
-
-  /// Whether no leg is stretched or folded in the box at any of these values.
-  virtual bool keeps_mode(const Box& box, const ActuatedValues& from, const ActuatedValues& to) const = 0;
+  /// Nothing where a leg may be stretched or folded.
+  virtual std::optional<PairOverBox> between(const Box& box, const ActuatedValues& from,
+                                             const ActuatedValues& to) const = 0;
 };
 
 }  // namespace parallel_aspects

@@ -65,8 +65,8 @@ std::optional<Box> SolutionTracker::step(const Box& box, const ActuatedValues& f
     about.lower[i] -= tracking_inflation * longest;
     about.upper[i] += tracking_inflation * longest;
   }
-  if (krawczyk_test(about, equations_.between(about, from, to)).zeros != Zeros::one) return std::nullopt;
-  if (!equations_.keeps_mode(about, from, to)) return std::nullopt;
+  const auto pair = equations_.between(about, from, to);
+  if (!pair || krawczyk_test(about, *pair).zeros != Zeros::one) return std::nullopt;
   return contracted_at(to, about, 1);
 }
 

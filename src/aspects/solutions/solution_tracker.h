@@ -21,7 +21,8 @@ class SolutionTracker {
 
   /// Where the solution in `box`, the only one in it for the values `from`, leads to: a box with exactly one
   /// solution for the values `to`. Every step is proved by Krawczyk's test for all values of it, so that
-  /// the solution moves continuously and is regular all along. Nothing where that fails.
+  /// the solution moves continuously, is regular and keeps its working mode all along. Nothing where that
+  /// fails.
   std::optional<Box> follow(const Box& box, const ActuatedValues& from, const ActuatedValues& to) const;
 
   /// Which of `boxes`, which hold one solution each and together all there are for some values, has the one

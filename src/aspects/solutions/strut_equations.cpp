@@ -69,8 +69,8 @@ PairOverBox StrutEquations::at(const Box& box, const ActuatedValues& lengths) co
   return pair_over(slice_.at(lengths), box, values_at(lengths));
 }
 
-PairOverBox StrutEquations::between(const Box& box, const ActuatedValues& from,
-                                    const ActuatedValues& to) const {
+std::optional<PairOverBox> StrutEquations::between(const Box& box, const ActuatedValues& from,
+                                                   const ActuatedValues& to) const {
   return slice_.dimension() == 2 ? pair_between(slice_, box, from, to)
                                  : pair_in_family(slice_, box, from, to);
 }

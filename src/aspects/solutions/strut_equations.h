@@ -14,13 +14,10 @@ class StrutEquations : public SolutionEquations {
   explicit StrutEquations(const StrutSlice& slice) noexcept : slice_(slice) {}
 
   PairOverBox at(const Box& box, const ActuatedValues& lengths) const override;
-  PairOverBox between(const Box& box, const ActuatedValues& from, const ActuatedValues& to) const override;
 
-  /// A strut has one branch.
-  bool keeps_mode(const Box& /*box*/, const ActuatedValues& /*from*/,
-                  const ActuatedValues& /*to*/) const override {
-    return true;
-  }
+  /// A strut is never stretched or folded.
+  std::optional<PairOverBox> between(const Box& box, const ActuatedValues& from,
+                                     const ActuatedValues& to) const override;
 
  private:
   const StrutSlice& slice_;
