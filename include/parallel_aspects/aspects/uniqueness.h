@@ -29,6 +29,10 @@ struct Cusp {
   /// exactly one cusp, an ordinary one. In SE2 these are the direction of the held rod and phi; in SO3 the
   /// platform is turned about the anchor of the held rod, and then that about its proximal point.
   double accuracy = 0.0;
+  /// Id, in the map of the slice, of the aspect that paths around it run in: beside the cusp both solutions
+  /// of equal sign of det A are followed away from it until the map is certain to have both in this one. That
+  /// they come from the cusp is not proved. 0 where it is not known, and where there is no map.
+  int aspect = 0;
 };
 
 /// Where two pairs of direct solutions of a slice meet at once: two singular poses of the same actuated

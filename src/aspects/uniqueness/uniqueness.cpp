@@ -3,6 +3,7 @@
 
 #include "aspects/cusps/cusp_search.h"
 #include "aspects/cusps/held_slice.h"
+#include "aspects/uniqueness/cusp_aspect.h"
 #include "aspects/uniqueness/slice_uniqueness.h"
 #include "aspects/uniqueness/solution_numbers.h"
 #include "aspects/uniqueness/strut_uniqueness.h"
@@ -101,6 +102,7 @@ void look_into(const Manipulator& manipulator, const UniquenessOptions& options,
     CuspList cusps = slice.list(boxes);
     result.cusps = std::move(cusps.cusps);
     result.cusps_complete = cusps.complete;
+    for (Cusp& cusp : result.cusps) cusp.aspect = look_beside(*result.map, cusp).aspect;
     if (has_struts_alone(manipulator)) find_nodes(boxes.cusps, control, result);
   }
   const std::size_t most_cells = options.most_cells.value_or(default_most_cells);

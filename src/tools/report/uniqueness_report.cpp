@@ -35,7 +35,8 @@ json json_cusp(const Manipulator& robot, const Cusp& cusp) {
           {"working_mode", cusp.mode.signs()},
           {"pose", json_pose(robot.task_space(), cusp.pose)},
           {"proved", true},
-          {"accuracy", cusp.accuracy}};
+          {"accuracy", cusp.accuracy},
+          {"component", cusp.aspect}};
 }
 
 json json_node(const Manipulator& robot, const SolutionNode& node) {
@@ -145,20 +146,26 @@ std::vector<std::string> joint_cells(const JointVector& actuated) {
   return cells;
 }
 
-std::vector<std::string> cusp_titles(const Manipulator& robot) {
+std::vector<std::string> cusp_titles(const Manipulator& robot, bool parts) {
   std::vector<std::string> titles = joint_titles(robot);
+  if (parts) titles.emplace_back(">component");
   if (has_modes(robot)) titles.emplace_back("working mode");
   titles.emplace_back("pose");
   return titles;
 }
 
-std::string cusps_text(const Manipulator& robot, const std::vector<Cusp>& cusps, bool complete) {
+/// As in the list of components; `?` where the map can not tell.
+std::string shown_aspect(int aspect) { return aspect == 0 ? "?" : std::to_string(aspect); }
+
+/// With the parts of the slice that they belong to, where there are some.
+std::string cusps_text(const Manipulator& robot, const std::vector<Cusp>& cusps, bool complete, bool parts) {
   const std::string text =
       counted(cusps.size(), "cusp") + ", " + (complete ? "proved to be all" : "there may be more") + "\n";
   if (cusps.empty()) return text;
-  TextTable table(cusp_titles(robot));
+  TextTable table(cusp_titles(robot, parts));
   for (const Cusp& cusp : cusps) {
     std::vector<std::string> cells = joint_cells(cusp.actuated);
+    if (parts) cells.push_back(shown_aspect(cusp.aspect));
     if (has_modes(robot)) cells.push_back(to_string(cusp.mode));
     cells.push_back(to_string(robot.task_space(), cusp.pose));
     table.add(std::move(cells));
@@ -170,7 +177,8 @@ std::string cusps_text(const Uniqueness& uniqueness) {
   if (!uniqueness.map->slice() && !uniqueness.at_most_one_a_sign)
     return "Cusps form curves; --slice lists those of a value of an actuated joint, --cusps-over follows "
            "them.\n";
-  return cusps_text(*uniqueness.map->manipulator(), uniqueness.cusps, uniqueness.cusps_complete);
+  return cusps_text(*uniqueness.map->manipulator(), uniqueness.cusps, uniqueness.cusps_complete,
+                    !uniqueness.map->aspects().empty());
 }
 
 std::string nodes_text(const Uniqueness& uniqueness) {
@@ -211,8 +219,7 @@ std::string solutions_by_aspect(const BasicComponent& component) {
   for (const int aspect : component.aspects) ++counts[aspect];
   std::string text;
   for (const auto& [aspect, count] : counts)
-    text += (text.empty() ? "" : ", ") + (aspect == 0 ? "?" : std::to_string(aspect)) + ": " +
-            std::to_string(count);
+    text += (text.empty() ? "" : ", ") + shown_aspect(aspect) + ": " + std::to_string(count);
   return text;
 }
 
@@ -386,7 +393,7 @@ Report report_cusps(const Manipulator& robot, const HeldJoint& held, const CuspL
             "joints stand.\n"
           : "";
   return {object, robot.name() + ", " + leg.actuated_joint + " = " + number_text(held.value) + " " +
-                      joint_unit(leg) + "\n\n" + cusps_text(robot, found.cusps, found.complete) + why +
+                      joint_unit(leg) + "\n\n" + cusps_text(robot, found.cusps, found.complete, false) + why +
                       regions_text(numbers) + '\n' + constraints.text};
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include <array>
 #include <cstddef>
 #include <sstream>
 #include <string>
@@ -100,6 +101,24 @@ TEST_F(UniquenessCommand, ListsOfASliceInTextWhatJsonHas) {
   EXPECT_EQ(sets.back().rfind(std::to_string(left_out) + " smaller sets left out", 0), 0U) << sets.back();
 }
 
+TEST_F(UniquenessCommand, TellsTheComponentOfEachCusp) {
+  const std::vector<const char*> question{"uniqueness",          "three_rpr",       "--slice",
+                                          "strut_1_joint=14.98", "--no-constraint", "all"};
+  std::vector<const char*> with_json = question;
+  with_json.emplace_back("--json");
+  std::vector<int> components, shown;
+  const json found = json::parse(run(with_json).output);
+  for (const json& cusp : found["cusps"]) components.push_back(cusp["component"]);
+  EXPECT_EQ(components, (std::vector<int>{2, 2, 1, 2, 2, 1}));
+  for (const std::string& row : rows_of(run(question).output, "6 cusps")) {
+    std::array<double, 3> actuated{};
+    int component = 0;
+    std::istringstream(row) >> actuated[0] >> actuated[1] >> actuated[2] >> component;
+    shown.push_back(component);
+  }
+  EXPECT_EQ(shown, components);
+}
+
 TEST_F(UniquenessCommand, ListsCuspsInSO3) {
   const Outcome outcome = run({"uniqueness", "spherical_3rrr", "--slice", "crank_1_joint=0.3", "--json"});
   ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages;
@@ -109,7 +128,10 @@ TEST_F(UniquenessCommand, ListsCuspsInSO3) {
   EXPECT_EQ(found["cusps"].size(), 6U);
   EXPECT_EQ(found["cusps_complete"], true);
   EXPECT_EQ(found["undecided_curves"], false);
-  for (const json& cusp : found["cusps"]) EXPECT_EQ(cusp["actuated"][0], 0.3);
+  for (const json& cusp : found["cusps"]) {
+    EXPECT_EQ(cusp["actuated"][0], 0.3);
+    EXPECT_EQ(cusp["component"], 0);
+  }
   const Outcome eye = run({"uniqueness", "agile_eye", "--slice", "crank_1_joint=0.3"});
   EXPECT_NE(eye.output.find("there may be more"), std::string::npos) << eye.output;
   EXPECT_NE(eye.output.find("Not decided are curves"), std::string::npos) << eye.output;
