@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/choose/plan_around_cusp.h"
 
+#include "aspects/uniqueness/cusp_aspect.h"
 #include "model/angles.h"
 #include "model/number_text.h"
 #include "motion/choose/cusp_loops.h"
@@ -116,20 +117,35 @@ class CuspPlanner::Search {
     if (!start)
       return without_path(SameAspect::unknown,
                           "No aspect of the cusp's working mode is known to hold the start.");
-    CuspLoops loops(map_, owner_.segments_, cusp_.mode, start.aspect, from.pose, control_);
-    std::optional<PlannedPath> best;
-    for (const Pose& goal : others(from.pose, start.aspect)) {
-      if (is_cancelled(control_)) break;
-      take_better(path_of(loops.find(cusp_.actuated, goal), from), best);
-    }
-    if (!best)
-      return without_path(SameAspect::unknown,
-                          "No path around the cusp is found in the aspect of the start; around a cusp poses "
-                          "change on one side of det A = 0 alone.");
-    return *best;
+    if (std::optional<PlannedPath> best = best_path(from, start.aspect)) return *std::move(best);
+    return without_path(SameAspect::unknown,
+                        "No path around the cusp is found in the aspect of the start, which is component " +
+                            std::to_string(start.aspect) +
+                            "; around a cusp poses change on one side of det A = 0 alone.");
+  }
+
+  CuspStart find_start() {
+    const BesideCusp beside = look_beside(map_, cusp_);
+    CuspStart result{beside.aspect, {}};
+    for (auto pose = beside.poses.rbegin(); pose != beside.poses.rend() && !is_cancelled(control_); ++pose)
+      if (const auto path = best_path({*pose, cusp_.mode}, beside.aspect)) {
+        result.point = path->points.front();
+        break;
+      }
+    return result;
   }
 
  private:
+  std::optional<PlannedPath> best_path(const PathEnd& from, int aspect) {
+    CuspLoops loops(map_, owner_.segments_, cusp_.mode, aspect, from.pose, control_);
+    std::optional<PlannedPath> best;
+    for (const Pose& goal : others(from.pose, aspect)) {
+      if (is_cancelled(control_)) break;
+      take_better(path_of(loops.find(cusp_.actuated, goal), from), best);
+    }
+    return best;
+  }
+
   PlannedPath path_of(const std::vector<Pose>& poses, const PathEnd& from) const {
     if (poses.empty()) return without_path(SameAspect::unknown, "");
     PathBuilder builder(robot_,
@@ -197,6 +213,10 @@ CuspPlanner::CuspPlanner(std::shared_ptr<const AspectMap> map, std::vector<Cusp>
 
 PlannedPath CuspPlanner::plan(const PathEnd& from, std::size_t cusp, const MapControl& control) const {
   return Search(*this, cusps_[cusp], cusp, control).run(from);
+}
+
+CuspStart CuspPlanner::find_start(std::size_t cusp, const MapControl& control) const {
+  return Search(*this, cusps_[cusp], cusp, control).find_start();
 }
 
 void CuspPlanner::look_along(const PlannedPath& path, const Look& look) const {

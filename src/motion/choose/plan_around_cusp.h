@@ -11,10 +11,18 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace parallel_aspects {
+
+/// From where there is a path around a cusp.
+struct CuspStart {
+  int aspect = 0;  ///< that the cusp belongs to, see `Cusp`; 0 where it is not known
+  /// Nothing where none is found.
+  std::optional<PathPoint> point;
+};
 
 /// Plans changes of the assembly mode on purpose, in one aspect of a slice that holds an actuated joint:
 /// paths at whose end the actuated joints are back where they were at the start, and the platform is not.
@@ -28,6 +36,10 @@ class CuspPlanner {
   /// aspect: of those that are found the one with the largest `least_room`, whatever other cusps it goes
   /// around; of several with as much, around the fewest. `unknown` where none is found.
   PlannedPath plan(const PathEnd& from, std::size_t cusp, const MapControl& control = {}) const;
+
+  /// A start from which `plan` has a path: of those beside the cusp the farthest one. It takes a plan for
+  /// each that is tried.
+  CuspStart find_start(std::size_t cusp, const MapControl& control = {}) const;
 
   /// The least of `room_at` along a path, seen at 32 poses a segment [rad or m].
   double least_room(const PlannedPath& path) const;

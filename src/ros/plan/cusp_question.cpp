@@ -10,6 +10,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace parallel_aspects {
 namespace {
@@ -46,6 +47,35 @@ std::string list_of(const Manipulator& manipulator, const CuspQuestion& question
       text += " " + number_text(list.cusps[k].actuated[static_cast<Eigen::Index>(j)]);
   }
   return text + ".";
+}
+
+constexpr int digits = 10;  // they take a pose onto the slice again
+
+std::string listed(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ", ") + number_text(value, digits);
+  return text;
+}
+
+/// As the fields of a `Configuration`, with the actuated values.
+std::string fields_of(const Manipulator& manipulator, const PathPoint& point) {
+  const geometry_msgs::Pose pose = pose_message(platform_in_base(manipulator, point.pose));
+  const auto& at = pose.position;
+  const auto& turned = pose.orientation;
+  const auto signs = signs_message(point.mode);
+  return "position (" + listed({at.x, at.y, at.z}) + ") and orientation (" +
+         listed({turned.x, turned.y, turned.z, turned.w}) + ") in the base frame, working_mode [" +
+         listed({signs.begin(), signs.end()}) + "], where the actuated values are " +
+         listed({point.q.begin(), point.q.end()});
+}
+
+/// Where to begin in place of a start without a path.
+std::string other_start_text(const Manipulator& manipulator, const CuspStart& start, std::size_t cusp) {
+  if (start.aspect == 0) return "";
+  const std::string text = " Cusp " + std::to_string(cusp + 1) + " belongs to component " +
+                           std::to_string(start.aspect) + " of the slice";
+  if (!start.point) return text + ", but from no pose beside it a path is found.";
+  return text + "; a start of that component with a path is " + fields_of(manipulator, *start.point) + ".";
 }
 
 }  // namespace
@@ -105,7 +135,10 @@ CuspPath plan_around_cusp(const std::shared_ptr<const Manipulator>& manipulator,
   }
   const auto planner = std::make_shared<CuspPlanner>(map.map, list.cusps);
   result.path = planner->plan(from, question.cusp, control);
-  if (result.path) result.path.message += " " + noise_text(planner->followed_noise(result.path));
+  result.path.message +=
+      result.path
+          ? " " + noise_text(planner->followed_noise(result.path))
+          : other_start_text(*manipulator, planner->find_start(question.cusp, control), question.cusp);
   result.turns_around_cusps = planner->turns_around_cusps(result.path);
   result.between = [planner](const Pose& a, const Pose& b, double t) { return planner->between(a, b, t); };
   return result;

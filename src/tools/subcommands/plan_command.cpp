@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/tree/held_joint_example.h"
+#include "model/number_text.h"
 #include "motion/choose/plan_around_cusp.h"
 #include "motion/plan/end_aspects.h"
 #include "parallel_aspects/aspects/uniqueness.h"
@@ -21,6 +22,7 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -202,6 +204,20 @@ Plan plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, const Pl
   return {std::move(path), between, chosen};
 }
 
+/// Where to begin in place of a start without a path, with digits that take it onto the slice again.
+std::string other_start_text(const Manipulator& manipulator, const CuspStart& start,
+                             const std::string& cusp) {
+  if (start.aspect == 0) return "";
+  const std::string text = " Cusp " + cusp + " belongs to component " + std::to_string(start.aspect);
+  if (!start.point) return text + ", but from no pose beside it a path is found.";
+  constexpr int digits = 10;
+  std::string values;
+  for (const double q : start.point->q) values += (values.empty() ? "" : " ") + number_text(q, digits);
+  return text + "; a start of that component with a path is --from \"" +
+         pose_argument(manipulator.task_space(), start.point->pose, digits) +
+         "\", where the actuated values are \"" + values + "\".";
+}
+
 /// In one aspect of a slice, back to the actuated values of the start.
 Plan plan_around_cusp(const std::shared_ptr<const Manipulator>& manipulator, const PlanArguments& arguments,
                       const PlanQuestion& question, const Surroundings& surroundings) {
@@ -223,6 +239,9 @@ Plan plan_around_cusp(const std::shared_ptr<const Manipulator>& manipulator, con
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const auto planner = std::make_shared<CuspPlanner>(chosen.map, cusps.cusps);
   PlannedPath path = planner->plan(from, *question.around_cusp, control);
+  if (!path)
+    path.message += other_start_text(*manipulator, planner->find_start(*question.around_cusp, control),
+                                     arguments.around_cusp);
   if (is_cancelled(control)) throw Interrupted{};
   std::vector<int> turns = planner->turns_around_cusps(path);
   const double noise = path ? planner->followed_noise(path) : 0.0;

@@ -8,6 +8,7 @@
 
 #include "support/robots.h"
 #include "support/slices.h"
+#include "support/thoroughness.h"
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -103,7 +104,7 @@ TEST(CuspAspects, HoldBothSolutionsOfEqualSign) {
                                                      {test::three_rrr()->with_constraints({}), 0.3}};
   for (const auto& [robot, held] : slices) {
     const auto found = uniqueness_of_slice(robot, held);
-    for (std::size_t i = 0; i < found->cusps.size(); ++i) {
+    for (std::size_t i = 0; i < found->cusps.size(); i += test::is_sanitized ? 4 : 1) {
       const std::string text = robot->name() + ", cusp " + std::to_string(i + 1);
       ASSERT_GT(found->cusps[i].aspect, 0) << text;
       EXPECT_GT(count_told(*found->map, found->cusps[i], text), 0) << text;

@@ -151,6 +151,22 @@ TEST_F(AroundCusp, ComesBackToTheSamePoseAroundNone) {
   }
 }
 
+// In the component that the list of cusps names, too.
+TEST_F(AroundCusp, HasAStartInTheComponentOfEachCusp) {
+  const CuspPlanner planner(map_, cusps_);
+  const auto listed = compute_uniqueness(map_).uniqueness->cusps;
+  ASSERT_EQ(listed.size(), cusps_.size());
+  for (std::size_t cusp = 0; cusp < cusps_.size(); ++cusp) {
+    const CuspStart start = planner.find_start(cusp);
+    ASSERT_TRUE(start.point) << cusp;
+    EXPECT_EQ(start.aspect, listed[cusp].aspect);
+    EXPECT_EQ(map_->locate(start.point->pose, start.point->mode).aspect, start.aspect);
+    const PlannedPath path = planner.plan({start.point->pose, start.point->mode}, cusp);
+    ASSERT_TRUE(path) << path.message;
+    EXPECT_NE(planner.turns_around_cusps(path)[cusp], 0);
+  }
+}
+
 TEST_F(AroundCusp, IsNotPlannedWhereTheStartIsInNoAspect) {
   CuspPlanner planner(map_, cusps_);
   const PlannedPath path = planner.plan({Pose::planar(1e3, 0.0, 0.0), {}}, 0);

@@ -340,6 +340,31 @@ TEST_F(PlanCommand, BeginsOnTheSliceNextToAPoseOfATable) {
       << outcome.output;
 }
 
+/// What stands in quotes behind these words; empty where they are not there.
+std::string quoted_behind(const std::string& words, const std::string& text) {
+  const std::size_t at = text.find(words + " \"");
+  if (at == std::string::npos) return "";
+  const std::size_t begin = at + words.size() + 2;
+  return text.substr(begin, text.find('"', begin) - begin);
+}
+
+TEST_F(PlanCommand, NamesAStartInTheComponentOfACusp) {
+  const std::vector<const char*> question{"plan",          "three_rrr", "--hold", "crank_1_joint=0.3",
+                                          "--around-cusp", "6"};
+  std::vector<const char*> again = question, other = question;
+  other.insert(other.end(), {"--from-aspect", "2"});
+  const Outcome none = run(other);
+  const std::string& text = none.output;
+  EXPECT_EQ(none.code, exit_code::unknown);
+  EXPECT_NE(text.find("the aspect of the start, which is component 2;"), std::string::npos) << text;
+  EXPECT_NE(text.find("Cusp 6 belongs to component 3;"), std::string::npos) << text;
+  const std::string pose = quoted_behind("--from", text), values = quoted_behind("values are", text);
+  again.insert(again.end(), {"--from", pose.c_str()});
+  EXPECT_EQ(run_json(again).at("answer"), "yes") << text;
+  again.insert(again.end(), {"--from-joints", values.c_str()});
+  EXPECT_EQ(run_json(again).at("answer"), "yes") << text;
+}
+
 TEST_F(PlanCommand, TellsWhereControlIsLost) {
   const json path =
       run_json({"plan", "five_bar", "--from-aspect", "1", "--to-aspect", "2", "--policy", "any"});
