@@ -113,6 +113,10 @@ class CuspPlanner::Search {
         circle_(circle_of_anchor(robot_, *map_.slice()->joint)) {}
 
   PlannedPath run(const PathEnd& from) {
+    if (from.mode && *from.mode != cusp_.mode)
+      return without_path(SameAspect::unknown, "The cusp is one of the working mode " +
+                                                   to_string(cusp_.mode) + ", and the start is in " +
+                                                   to_string(*from.mode) + ".");
     const Location start = map_.locate(from.pose, cusp_.mode);
     if (!start)
       return without_path(SameAspect::unknown,

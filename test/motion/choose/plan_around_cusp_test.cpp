@@ -167,6 +167,25 @@ TEST_F(AroundCusp, HasAStartInTheComponentOfEachCusp) {
   }
 }
 
+// Where the platform is says nothing of the posture of the legs.
+TEST(AroundCuspOfCranks, IsNotPlannedFromAnotherWorkingMode) {
+  const Robot robot = test::three_rrr()->with_constraints({});
+  MapOptions options;
+  options.slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, 0.3}});
+  const auto map = compute_aspect_map(robot, options).map;
+  const CuspPlanner planner(map, find_cusps(*robot, *options.slice->joint).cusps);
+  const CuspStart start = planner.find_start(0);
+  ASSERT_TRUE(start.point);
+  const WorkingMode mode = start.point->mode;
+  EXPECT_TRUE(planner.plan({start.point->pose, {}}, 0));
+  EXPECT_TRUE(planner.plan({start.point->pose, mode}, 0));
+  WorkingMode other = mode;
+  other.set_sign(1, -mode.sign(1));
+  const PlannedPath path = planner.plan({start.point->pose, other}, 0);
+  EXPECT_FALSE(path);
+  EXPECT_NE(path.message.find("the start is in " + to_string(other)), std::string::npos) << path.message;
+}
+
 TEST_F(AroundCusp, IsNotPlannedWhereTheStartIsInNoAspect) {
   CuspPlanner planner(map_, cusps_);
   const PlannedPath path = planner.plan({Pose::planar(1e3, 0.0, 0.0), {}}, 0);
