@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <queue>
 #include <utility>
 
 namespace parallel_aspects {
@@ -22,6 +23,11 @@ constexpr double largest_tested = 0.02, largest_hull = 0.25;
 
 // Pairs of boxes that are looked at in all. A slice takes some ten thousand.
 constexpr std::size_t largest_effort = 2000000;
+
+// So many of them are looked at depth first. What is left of these then waits until all larger ones had a
+// turn: else one place where images come close to each other would use up the effort, and nodes elsewhere
+// would not be found.
+constexpr std::size_t largest_turn = 1024;
 
 // Krawczyk's test of somewhat larger boxes also proves nodes that lie on a face.
 constexpr double inflation = 1.5;
@@ -157,14 +163,13 @@ class NodeSearch {
 
   NodeBoxes run() {
     NodeBoxes result;
-    pairs_.push_back({SingularImages::root, SingularImages::root});
-    for (std::size_t effort = 0; !pairs_.empty(); ++effort) {
-      if (effort % 1024 == 0 && is_cancelled(control_)) result.cancelled = true;
+    wait(SingularImages::root, SingularImages::root);
+    for (std::size_t effort = 0; !waiting_.empty();) {
+      if (is_cancelled(control_)) result.cancelled = true;
       if (result.cancelled) break;
-      const auto [a, b] = pairs_.back();
-      pairs_.pop_back();
-      if (effort >= largest_effort || !examine(a, b))
-        result.undecided.push_back({images_.box(a), images_.box(b)});
+      pairs_.push_back(waiting_.top().pair);
+      waiting_.pop();
+      effort += take_turn(effort < largest_effort ? largest_turn : 0, result.undecided);
     }
     for (const Known& each : known_)
       result.nodes.push_back({without_turns(each.enclosure[0]), without_turns(each.enclosure[1])});
@@ -173,11 +178,37 @@ class NodeSearch {
 
  private:
   using Part = SingularImages::Node;
+  using PartPair = std::pair<Part, Part>;
+
+  /// The largest has the next turn.
+  struct Waiting {
+    double width;
+    PartPair pair;
+
+    bool operator<(const Waiting& other) const { return width < other.width; }
+  };
 
   struct Known {
     BoxPair unique;     // holds one node
     BoxPair enclosure;  // of it
   };
+
+  /// How many pairs were looked at, at most so many; with 0 they are undecided.
+  std::size_t take_turn(std::size_t most, std::vector<BoxPair>& undecided) {
+    std::size_t looked_at = 0;
+    for (; !pairs_.empty() && (most == 0 || looked_at < most); ++looked_at) {
+      const auto [a, b] = pairs_.back();
+      pairs_.pop_back();
+      if (most == 0 || !examine(a, b)) undecided.push_back({images_.box(a), images_.box(b)});
+    }
+    for (const auto& [a, b] : pairs_) wait(a, b);
+    pairs_.clear();
+    return looked_at;
+  }
+
+  void wait(Part a, Part b) {
+    waiting_.push({std::max(width_of(images_.box(a)), width_of(images_.box(b))), {a, b}});
+  }
 
   /// False where the boxes are too small to be divided.
   bool examine(Part a, Part b) {
@@ -232,7 +263,8 @@ class NodeSearch {
   const MapControl& control_;
   SingularImages images_;
   InjectiveBoxes injective_;
-  std::vector<std::pair<Part, Part>> pairs_;
+  std::vector<PartPair> pairs_;           // of this turn
+  std::priority_queue<Waiting> waiting_;  // each for a turn
   std::vector<Known> known_;
 };
 
