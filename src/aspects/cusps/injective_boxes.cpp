@@ -20,11 +20,11 @@ namespace {
 constexpr double largest_half = 0.1;
 constexpr int halvings = 16;
 
-// Half the width of such a box over what the curve rises on half of its length.
-constexpr double room_across = 2.0, least_across = 0.25;
+// Such a box is wider than the tangent of the curve needs by these parts of its length, tried in turn.
+constexpr std::array<double, 3> rooms_across{0.25, 0.5, 1.0};
 
-// Parts of such a box that are looked at.
-constexpr std::size_t most_parts = 1000;
+// Parts of such a box, and of one of its faces, that are looked at.
+constexpr std::size_t most_parts = 1000, most_parts_of_face = 64;
 
 /// What the proofs need of g, D and {D, g_i} over a box.
 struct ArcFunctions {
@@ -103,39 +103,70 @@ bool is_off(const StrutSlice& slice, const Box& box) {
          !may_vanish(center + d.at(1, 0) * middle.offset(0) + d.at(0, 1) * middle.offset(1));
 }
 
-/// Whether they do at all poses of D = 0 in a box.
-bool hold_along(const StrutSlice& slice, const CuspSigns& signs, const Box& whole) {
+/// Whether one of both is proved of each part of a box: D does not vanish, or signs hold.
+template <class Hold>
+bool is_covered(const StrutSlice& slice, const Box& whole, std::size_t most, const Hold& hold) {
   std::vector<Box> boxes{whole};
   for (std::size_t effort = 0; !boxes.empty(); ++effort) {
-    if (effort >= most_parts) return false;
+    if (effort >= most) return false;
     const Box box = boxes.back();
     boxes.pop_back();
-    if (is_off(slice, box) || signs.hold(ArcFunctions(slice, box))) continue;
+    if (is_off(slice, box) || hold(box)) continue;
     for (const Box& half : halves_of(box)) boxes.push_back(half);
   }
   return true;
 }
 
+/// A cusp, and which way its curve goes.
+struct CuspPlace {
+  Box cusp;
+  std::array<double, 2> center;
+  std::size_t across;  // the axis along which D changes more
+  double rise;         // of the curve along it, over what it goes along the other
+  CuspSigns signs;
+
+  CuspPlace(const StrutSlice& slice, const Box& of)
+      : CuspPlace(of, ArcFunctions(slice, SliceTurns(std::array{of.center(0), of.center(1)}))) {}
+
+  Box box(double half, double room) const {
+    Box result{2, {}, {}};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double reach = k == across ? (rise + room) * half : half;
+      result.lower[k] = center[k] - reach;
+      result.upper[k] = center[k] + reach;
+    }
+    return result;
+  }
+
+ private:
+  CuspPlace(const Box& of, const ArcFunctions& at)
+      : cusp(of),
+        center{of.center(0), of.center(1)},
+        across(std::abs(slope(at, 0)) > std::abs(slope(at, 1)) ? 0 : 1),
+        rise(std::abs(slope(at, 1 - across) / slope(at, across))),
+        signs(at, across) {}
+
+  static double slope(const ArcFunctions& at, std::size_t axis) {
+    return middle_of(axis == 0 ? at.d.at(1, 0) : at.d.at(0, 1));
+  }
+};
+
+bool is_injective(const StrutSlice& slice, const CuspPlace& at, const Box& box) {
+  const auto never = [](const Box& /*part*/) { return false; };
+  const auto hold = [&](const Box& part) { return at.signs.hold(ArcFunctions(slice, part)); };
+  return contains(box, at.cusp) &&
+         is_covered(slice, face_of(box, at.across, false), most_parts_of_face, never) &&
+         is_covered(slice, face_of(box, at.across, true), most_parts_of_face, never) &&
+         is_covered(slice, box, most_parts, hold);
+}
+
 /// The largest box about a cusp of which it is proved.
 std::optional<Box> find_box_about(const StrutSlice& slice, const Box& cusp) {
-  const std::array<double, 2> center{cusp.center(0), cusp.center(1)};
-  const ArcFunctions at(slice, SliceTurns(center));
-  const std::array<double, 2> slope{middle_of(at.d.at(1, 0)), middle_of(at.d.at(0, 1))};
-  const std::size_t across = std::abs(slope[0]) > std::abs(slope[1]) ? 0 : 1;
-  const double rise = std::abs(slope[1 - across] / slope[across]);
-  const CuspSigns signs(at, across);
+  const CuspPlace at(slice, cusp);
   double half = largest_half;
-  for (int i = 0; i < halvings; ++i, half *= 0.5) {
-    Box box{2, {}, {}};
-    for (std::size_t k = 0; k < 2; ++k) {
-      const double reach = k == across ? std::max(room_across * rise, least_across) * half : half;
-      box.lower[k] = center[k] - reach;
-      box.upper[k] = center[k] + reach;
-    }
-    if (contains(box, cusp) && is_off(slice, face_of(box, across, false)) &&
-        is_off(slice, face_of(box, across, true)) && hold_along(slice, signs, box))
-      return box;
-  }
+  for (int i = 0; i < halvings; ++i, half *= 0.5)
+    for (const double room : rooms_across)
+      if (const Box box = at.box(half, room); is_injective(slice, at, box)) return box;
   return std::nullopt;
 }
 

@@ -183,24 +183,45 @@ TEST(NodeSearch, FindsWhereTheImageCrossesItself) {
   EXPECT_EQ(uniqueness_of_slice(robot, 14.98)->nodes.size(), 6U);
 }
 
-// In one place bounds do not tell arcs apart, and it is not proved that there are no other nodes; but those
-// of all other places are listed. By exact arithmetic: double zeros of the discriminant of the curve that is
-// the image of det A = 0 over squared lengths.
-TEST(NodeSearch, ListsThoseBesideAPlaceThatIsNotDecided) {
+void expect_nodes(const Robot& robot, const Uniqueness& found, const std::vector<Vector2d>& expected) {
+  ASSERT_EQ(found.nodes.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    expect_node(*robot, found.nodes[i]);
+    EXPECT_LT((found.nodes[i].actuated.tail<2>() - expected[i]).norm(), 1e-9);
+  }
+}
+
+// These and those of the next test are by exact arithmetic: double zeros of the discriminant of the curve
+// that is the image of det A = 0 over squared lengths. Arcs beside two of the cusps come close to each other.
+TEST(NodeSearch, ProvesThatThereAreNoOthersBetweenArcsOfACusp) {
   const Robot robot =
       test::manipulator("three_rpr_with_close_arcs", TaskSpace::SE2,
                         test::struts({{0.2, -0.2, 0.0}, {-0.3, -1.3, 0.0}, {1.9, -0.9, 0.0}},
                                      {{1.3, -1.0, 0.0}, {-1.6, -1.0, 0.0}, {-1.0, -0.4, 0.0}}));
   const auto found = uniqueness_of_slice(robot, 2.4);
-  const std::vector<Vector2d> expected{{0.6488831180, 2.1547988256}, {0.7051251317, 2.3755468329},
-                                       {0.7946282628, 2.2775981157}, {0.9176344425, 2.3861801767},
-                                       {1.2706506512, 1.6579916363}, {1.6818033035, 0.9476515216},
-                                       {2.5799228260, 0.2864198141}};
-  ASSERT_EQ(found->nodes.size(), expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    expect_node(*robot, found->nodes[i]);
-    EXPECT_LT((found->nodes[i].actuated.tail<2>() - expected[i]).norm(), 1e-9);
-  }
+  EXPECT_TRUE(found->nodes_complete);
+  expect_nodes(robot, *found,
+               {{0.6488831180, 2.1547988256},
+                {0.7051251317, 2.3755468329},
+                {0.7946282628, 2.2775981157},
+                {0.9176344425, 2.3861801767},
+                {1.2706506512, 1.6579916363},
+                {1.6818033035, 0.9476515216},
+                {2.5799228260, 0.2864198141}});
+}
+
+// In one place bounds do not tell arcs apart, and it is not proved that there are no other nodes; but those
+// of all other places are listed.
+TEST(NodeSearch, ListsThoseBesideAPlaceThatIsNotDecided) {
+  const Robot robot = test::manipulator("three_rpr_with_closer_arcs", TaskSpace::SE2,
+                                        test::struts({{0.8, -1.6, 0.0}, {1.2, -1.8, 0.0}, {-0.5, -0.6, 0.0}},
+                                                     {{1.9, 1.9, 0.0}, {-0.4, -1.5, 0.0}, {1.7, -0.6, 0.0}}));
+  expect_nodes(robot, *uniqueness_of_slice(robot, 2.5),
+               {{1.9114972471, 1.6053818940},
+                {1.9540105805, 1.7642137342},
+                {2.3138985305, 2.1429367023},
+                {2.3978538006, 1.6295721549},
+                {3.0588987681, 1.2744986696}});
 }
 
 TEST(NodeSearch, ListsNodesWithinLimits) {
