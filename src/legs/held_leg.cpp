@@ -29,6 +29,7 @@ HeldLeg::HeldLeg(const Leg& leg, const Interval& q, double serial_margin) {
 void HeldLeg::set(const RevoluteActuation& crank, const Leg& leg, const Interval& q) {
   const double sense = crank.axis.z() > 0.0 ? 1.0 : -1.0;
   const Interval radius(crank.radius);
+  turns_ = true;
   const Turn<Interval> turn =
       enclosed_turn(std::atan2(crank.zero_direction.y(), crank.zero_direction.x()), sense, q);
   const Planar<Interval> arm{radius * turn.cosine, radius * turn.sine};

@@ -26,8 +26,13 @@ class HeldLeg {
   /// c in the plane [m].
   const Planar<Interval>& center() const noexcept { return center_; }
 
-  /// Derivatives by q: of c, and of the length of the rod in the plane, which must not vanish.
+  /// The derivative of c by q, and the second one.
   const Planar<Interval>& center_slope() const noexcept { return lever_; }
+  Planar<Interval> center_bend() const noexcept {
+    return turns_ ? Planar<Interval>{base_.x - center_.x, base_.y - center_.y} : Planar<Interval>{0.0, 0.0};
+  }
+
+  /// Derivatives by q of the length of the rod in the plane, which must not vanish.
   Interval length_slope() const noexcept { return half_square_slope() * reciprocal(length_); }
 
   /// Of half the square of that length.
@@ -69,7 +74,7 @@ class HeldLeg {
   void set(const ElbowActuation& elbow, const Leg& leg, const Interval& q);
   void set_rod(const Interval& rod, const Interval& height);
 
-  bool has_lever_ = true;
+  bool has_lever_ = true, turns_ = false;
   Planar<Interval> base_, center_, lever_{0.0, 0.0};
   Interval rod_slope_{0.0};            // of the rod in space, by q
   Interval rod_, length_;              // of the rod in space, in the plane

@@ -8,9 +8,9 @@ namespace parallel_aspects {
 DomainWatch::DomainWatch(std::shared_ptr<const Uniqueness> uniqueness, double hold)
     : uniqueness_(std::move(uniqueness)), hold_(hold) {}
 
-const DomainState& DomainWatch::update(const Pose& pose, double time) {
+const DomainState& DomainWatch::update(const Pose& pose, const WorkingMode& mode, double time) {
   state_.changed = false;
-  state_.region = uniqueness_->locate(pose);
+  state_.region = uniqueness_->locate(pose, mode);
   if (!state_.region) return state_;
   if (!state_.reference) {
     state_.reference = state_.region;

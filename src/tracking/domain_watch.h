@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_TRACKING_DOMAIN_WATCH_H
 
 #include "parallel_aspects/aspects/uniqueness.h"
+#include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <cstddef>
@@ -35,8 +36,8 @@ class DomainWatch {
   /// out the same before the warning begins or ends [s], not negative.
   explicit DomainWatch(std::shared_ptr<const Uniqueness> uniqueness, double hold = 0.1);
 
-  /// The next pose, at this time [s], which is not before that of the last one.
-  const DomainState& update(const Pose& pose, double time);
+  /// The next pose, in its working mode, at this time [s], which is not before that of the last one.
+  const DomainState& update(const Pose& pose, const WorkingMode& mode, double time);
 
   const DomainState& state() const noexcept { return state_; }  ///< after the last pose
 

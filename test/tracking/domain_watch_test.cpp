@@ -36,23 +36,36 @@ std::shared_ptr<const Uniqueness> made_up() {
 
 Pose in_region(int region) { return Pose::planar(region, 0.0, 0.0); }
 
+// A region is one of a working mode: here that which has its index.
+TEST(DomainWatch, LooksInTheWorkingModeOfThePose) {
+  Uniqueness by_mode = *made_up();
+  by_mode.region_of = [](const Pose&, const WorkingMode& mode) -> std::optional<std::size_t> {
+    return mode.index();
+  };
+  DomainWatch watch(std::make_shared<const Uniqueness>(by_mode), 0.0);
+  const Pose pose = in_region(0);
+  EXPECT_EQ(watch.update(pose, WorkingMode::from_index(3, 0), 0.0).region, 0U);
+  EXPECT_FALSE(watch.update(pose, WorkingMode::from_index(3, 2), 1.0).warns);
+  EXPECT_TRUE(watch.update(pose, WorkingMode::from_index(3, 1), 2.0).warns);
+}
+
 TEST(DomainWatch, WarnsWhereNoDomainHoldsBothForSomeTime) {
   DomainWatch watch(made_up(), 0.1);
-  EXPECT_FALSE(watch.update(in_region(0), 0.0).warns);
+  EXPECT_FALSE(watch.update(in_region(0), {}, 0.0).warns);
   EXPECT_EQ(watch.state().sharing, DomainSharing::shared);
-  EXPECT_FALSE(watch.update(in_region(2), 0.5).warns);
+  EXPECT_FALSE(watch.update(in_region(2), {}, 0.5).warns);
   EXPECT_EQ(watch.state().sharing, DomainSharing::shared);
-  EXPECT_FALSE(watch.update(in_region(1), 1.0).warns);
+  EXPECT_FALSE(watch.update(in_region(1), {}, 1.0).warns);
   EXPECT_EQ(watch.state().sharing, DomainSharing::apart);
-  EXPECT_FALSE(watch.update(in_region(1), 1.05).warns);
-  EXPECT_TRUE(watch.update(in_region(1), 1.11).warns);
+  EXPECT_FALSE(watch.update(in_region(1), {}, 1.05).warns);
+  EXPECT_TRUE(watch.update(in_region(1), {}, 1.11).warns);
   EXPECT_TRUE(watch.state().changed);
   EXPECT_EQ(watch.state().before, 2U);
   EXPECT_EQ(watch.state().since, 1.0);
-  EXPECT_TRUE(watch.update(in_region(1), 1.2).warns);
+  EXPECT_TRUE(watch.update(in_region(1), {}, 1.2).warns);
   EXPECT_FALSE(watch.state().changed);
-  EXPECT_TRUE(watch.update(in_region(2), 1.3).warns);
-  EXPECT_FALSE(watch.update(in_region(2), 1.41).warns);
+  EXPECT_TRUE(watch.update(in_region(2), {}, 1.3).warns);
+  EXPECT_FALSE(watch.update(in_region(2), {}, 1.41).warns);
   EXPECT_TRUE(watch.state().changed);
   EXPECT_EQ(watch.state().before, 1U);
   EXPECT_EQ(watch.state().since, 1.3);
@@ -60,18 +73,18 @@ TEST(DomainWatch, WarnsWhereNoDomainHoldsBothForSomeTime) {
 
 TEST(DomainWatch, IsNotMovedByFlutterNorByPosesOfNoRegion) {
   DomainWatch watch(made_up(), 0.1);
-  watch.update(in_region(0), 0.0);
-  for (int i = 1; i < 100; ++i) EXPECT_FALSE(watch.update(in_region(i % 2), 0.05 * i).warns);
+  watch.update(in_region(0), {}, 0.0);
+  for (int i = 1; i < 100; ++i) EXPECT_FALSE(watch.update(in_region(i % 2), {}, 0.05 * i).warns);
   watch.restart();
-  for (int i = 0; i < 10; ++i) EXPECT_FALSE(watch.update(in_region(-1), 10.0 + i).reference);
-  EXPECT_EQ(watch.update(in_region(1), 20.0).reference, 1U);
-  EXPECT_FALSE(watch.update(in_region(0), 20.5).warns);
-  EXPECT_FALSE(watch.update(in_region(-1), 30.0).warns);
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(watch.update(in_region(-1), {}, 10.0 + i).reference);
+  EXPECT_EQ(watch.update(in_region(1), {}, 20.0).reference, 1U);
+  EXPECT_FALSE(watch.update(in_region(0), {}, 20.5).warns);
+  EXPECT_FALSE(watch.update(in_region(-1), {}, 30.0).warns);
   EXPECT_FALSE(watch.state().region);
-  EXPECT_TRUE(watch.update(in_region(0), 30.1).warns);
+  EXPECT_TRUE(watch.update(in_region(0), {}, 30.1).warns);
   watch.restart();
   EXPECT_FALSE(watch.state().warns);
-  EXPECT_FALSE(watch.update(in_region(0), 40.0).warns);
+  EXPECT_FALSE(watch.update(in_region(0), {}, 40.0).warns);
 }
 
 // Solutions of one aspect of a 3-RPR with a strut held.
@@ -88,10 +101,10 @@ TEST(DomainWatch, TellsSolutionsOfOneAspectApart) {
       if (&from == &to || from.aspect != to.aspect || from.over != to.over || from.measure_lower < 10.0)
         continue;
       DomainWatch watch(result.uniqueness, 0.0);
-      EXPECT_FALSE(watch.update(from.pose, 0.0).warns);
+      EXPECT_FALSE(watch.update(from.pose, {}, 0.0).warns);
       ASSERT_TRUE(watch.state().region);
       EXPECT_EQ(*watch.state().region, static_cast<std::size_t>(&from - regions.data()));
-      EXPECT_TRUE(watch.update(to.pose, 1.0).warns);
+      EXPECT_TRUE(watch.update(to.pose, {}, 1.0).warns);
       EXPECT_EQ(watch.state().sharing, DomainSharing::apart);
       ++pairs;
     }
@@ -103,7 +116,7 @@ TEST(DomainWatch, IsSilentWhereEachAspectIsADomain) {
   const UniquenessResult result = compute_uniqueness(test::bipod());
   ASSERT_TRUE(result) << result.message;
   DomainWatch watch(result.uniqueness, 0.0);
-  for (int i = 0; i < 5; ++i) EXPECT_FALSE(watch.update(Pose::planar(2.5, i - 2.5, 0.0), i).warns);
+  for (int i = 0; i < 5; ++i) EXPECT_FALSE(watch.update(Pose::planar(2.5, i - 2.5, 0.0), {}, i).warns);
 }
 
 }  // namespace

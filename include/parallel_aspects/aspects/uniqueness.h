@@ -78,6 +78,7 @@ enum class DomainSharing {
 
 /// Actuated values that have one number of direct solutions.
 struct SolutionRegion {
+  WorkingMode mode;            ///< of the solutions that are counted; empty: of all working modes at once
   std::size_t solutions = 0;   ///< at least 1, proved
   double measure = 0.0;        ///< best estimate [m^2, or m^3 of all three joints]
   double measure_lower = 0.0;  ///< proved [m^2 or m^3]
@@ -87,6 +88,7 @@ struct SolutionRegion {
 /// A connected set of actuated values over which the number of solutions in each aspect is constant (a basic
 /// component), as far as their division shows it.
 struct BasicComponent {
+  WorkingMode mode;             ///< of the solutions; empty: all working modes at once
   JointVector inside;           ///< actuated values in it [m]
   std::vector<Pose> solutions;  ///< all poses of these, proved
   std::vector<int> aspects;     ///< id of the aspect that holds each; 0 where no map can tell
@@ -159,26 +161,37 @@ struct CuspCurves {
 
 /// What to compute.
 struct UniquenessOptions {
-  /// One that holds an actuated joint, in SE2 alone; needed there, but for three struts within limits.
+  /// One that holds an actuated joint, in SE2 alone; needed there with an actuated elbow, or with a strut or
+  /// slide that has no limits.
   std::optional<MapSlice> slice;
   std::optional<double> resolution;  ///< of the map of the aspects, see `MapOptions`
   /// The division of actuated values for numbers of solutions ends at so many cells, that for basic regions
-  /// at a quarter of them; by default at 250,000, and in slices that is never reached. Of three struts.
+  /// at a quarter of them; by default at 250,000. With several working modes all share in them. In slices
+  /// that is never reached.
   std::optional<std::size_t> most_cells;
 };
 
 /// How many direct solutions actuated values have.
 struct SolutionNumbers {
-  /// Whether they were looked for: of robots with three struts, and of all others in slices, unless they have
-  /// an actuated elbow. Else what is below is empty.
+  /// Whether they were looked for: in SE2 and in slices of SO3, unless a leg has an actuated elbow. Else what
+  /// is below is empty.
   bool has_regions = false;
+  /// Whether they are numbers of solutions in each working mode, not in all at once: of robots with several
+  /// of these as a whole. All is of one mode then, and `measure_unknown` the sum over them.
+  bool by_mode = false;
   std::string region_unit;                       ///< of measures of actuated values, as "m^2" or "rad^2"
-  std::vector<SolutionRegion> regions;           ///< by number of solutions
+  std::vector<SolutionRegion> regions;           ///< by mode and number of solutions
   double measure_unknown = 0.0;                  ///< where no number of solutions is proved [that unit]
   std::vector<BasicComponent> basic_components;  ///< those with solutions, the largest first
   /// Index in `basic_components` of that which holds these actuated values (of which a held one is not
-  /// read). Nothing where they have no solution, no number of solutions is proved, or these are no values.
-  std::function<std::optional<std::size_t>(const JointVector&)> component_of;
+  /// read), for a working mode where these are `by_mode`. Nothing where they have no solution, no number of
+  /// solutions is proved, or these are no values.
+  std::function<std::optional<std::size_t>(const JointVector&, const WorkingMode&)> component_of;
+
+  /// The same. Unless components are `by_mode`, the mode is not read.
+  std::optional<std::size_t> component_at(const JointVector& actuated, const WorkingMode& mode = {}) const {
+    return component_of ? component_of(actuated, mode) : std::nullopt;
+  }
 };
 
 /// Which poses of an aspect have the same actuated values, and where direct solutions meet.
@@ -233,8 +246,9 @@ struct UniquenessResult {
 };
 
 /// Computes all of it. In T1, T2 and T3 it follows from a theorem. In SE2 there are slices with an actuated
-/// joint held: their cusps, and unless a leg has an actuated elbow all the rest; and robots with three struts
-/// as a whole, within limits, but for cusps. What remains is refused with a message.
+/// joint held: their cusps, and unless a leg has an actuated elbow all the rest; and robots without actuated
+/// elbows as a whole, but for cusps, where struts and slides have limits. What remains is refused with a
+/// message.
 UniquenessResult compute_uniqueness(std::shared_ptr<const Manipulator> manipulator,
                                     const UniquenessOptions& options = {}, const MapControl& control = {});
 

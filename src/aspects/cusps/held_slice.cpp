@@ -73,14 +73,18 @@ const SliceTurns& SlicePlace::center() const noexcept {
   return *center_;
 }
 
-HeldSlice::HeldSlice(const Manipulator& manipulator, std::size_t held, SliceSums sums)
-    : sums_(sums), held_signs_(signs_of(manipulator.leg(held))) {
-  assert_rounding_upward();
+HeldSlice::Fixed::Fixed(const Manipulator& manipulator, std::size_t held)
+    : held_signs(signs_of(manipulator.leg(held))) {
   for (std::size_t i = 0, j = 0; j < manipulator.leg_count(); ++j)
-    if (j != held) legs_[i++] = j;
-  for (const std::size_t j : legs_) moving_legs_.push_back(manipulator.leg(j));
-  for (const int first : signs_of(manipulator.leg(legs_[0])))
-    for (const int second : signs_of(manipulator.leg(legs_[1]))) postures_.push_back({first, second});
+    if (j != held) legs[i++] = j;
+  for (const std::size_t j : legs) moving_legs.push_back(manipulator.leg(j));
+  for (const int first : signs_of(manipulator.leg(legs[0])))
+    for (const int second : signs_of(manipulator.leg(legs[1]))) postures.push_back({first, second});
+}
+
+HeldSlice::HeldSlice(const Manipulator& manipulator, std::size_t held, SliceSums sums)
+    : sums_(sums), fixed_(std::make_shared<const Fixed>(manipulator, held)) {
+  assert_rounding_upward();
 }
 
 Verdict HeldSlice::within_limits(const SlicePosture& posture, const SlicePlace& at) const noexcept {
@@ -91,17 +95,17 @@ std::optional<Interval> HeldSlice::joint_value(std::size_t i, int sign, const Sl
   const auto rod = rod_over(i, sign, at);
   if (!rod) return std::nullopt;
   return std::visit([&](const auto& actuation) { return value_of(actuation, rod->from, rod->length); },
-                    moving_legs_[i].actuation);
+                    moving_leg(i).actuation);
 }
 
 Interval HeldSlice::joint_entry(std::size_t i, const LegOver& leg, const SlicePlace& at) const noexcept {
-  if (moving_legs_[i].kind().type != LegType::strut) return leg.entry;
-  const double sense = moving_legs_[i].has_branch(1) ? 1.0 : -1.0;
+  if (moving_leg(i).kind().type != LegType::strut) return leg.entry;
+  const double sense = moving_leg(i).has_branch(1) ? 1.0 : -1.0;
   return Interval(sense) * rod_over(i, 1, at)->length;
 }
 
 int HeldSlice::held_sign(const SlicePlace& at) const noexcept {
-  if (held_signs_.size() == 1) return held_signs_.front();
+  if (fixed_->held_signs.size() == 1) return fixed_->held_signs.front();
   const Interval entry = held_entry(at);
   return entry.positive() ? 1 : entry.negative() ? -1 : 0;
 }

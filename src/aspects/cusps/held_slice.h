@@ -56,10 +56,10 @@ class HeldSlice {
   virtual ~HeldSlice() = default;
 
   /// Index of the leg that equation i, 0 or 1, belongs to.
-  std::size_t leg(std::size_t i) const noexcept { return legs_[i]; }
+  std::size_t leg(std::size_t i) const noexcept { return fixed_->legs[i]; }
 
   /// Those that the kinds of both legs allow.
-  const std::vector<SlicePosture>& postures() const noexcept { return postures_; }
+  const std::vector<SlicePosture>& postures() const noexcept { return fixed_->postures; }
 
   SlicePlace place(const Box& box) const noexcept { return {box, sums_}; }
 
@@ -77,8 +77,9 @@ class HeldSlice {
 
   /// A leg at a joint value, or over a range of them.
   struct LegAt {
-    CosineSum equation;  ///< g_i, all of it
-    CosineSum slope;     ///< its derivative by the joint value, -B_jj
+    CosineSum equation;      ///< g_i, all of it
+    CosineSum slope;         ///< its derivative by the joint value, -B_jj
+    CosineSum held_slope{};  ///< that by the value that is held, of a range
   };
 
   /// Not of an actuated elbow.
@@ -110,7 +111,7 @@ class HeldSlice {
   };
   virtual std::optional<RodOver> rod_over(std::size_t i, int sign, const SlicePlace& at) const noexcept = 0;
 
-  const Leg& moving_leg(std::size_t i) const noexcept { return moving_legs_[i]; }
+  const Leg& moving_leg(std::size_t i) const noexcept { return fixed_->moving_legs[i]; }
 
   virtual Verdict leg_within_limits(std::size_t i, int sign, const SlicePlace& at) const noexcept = 0;
 
@@ -118,11 +119,18 @@ class HeldSlice {
   virtual Interval held_entry(const SlicePlace& at) const noexcept = 0;
 
  private:
+  /// What slices of other values share.
+  struct Fixed {
+    std::vector<int> held_signs;  // of B_jj that there are
+    std::array<std::size_t, 2> legs{};
+    std::vector<Leg> moving_legs;
+    std::vector<SlicePosture> postures;
+
+    Fixed(const Manipulator& manipulator, std::size_t held);
+  };
+
   SliceSums sums_;
-  std::vector<int> held_signs_;  // of B_jj that there are
-  std::array<std::size_t, 2> legs_{};
-  std::vector<Leg> moving_legs_;
-  std::vector<SlicePosture> postures_;
+  std::shared_ptr<const Fixed> fixed_;
 };
 
 /// Of a slice that holds a joint, see `find_held_joint_problem`.

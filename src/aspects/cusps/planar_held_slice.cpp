@@ -16,15 +16,15 @@ Planar<Interval> sum_of(const Planar<Interval>& a, const Planar<Interval>& b) no
 
 PlanarHeldSlice::PlanarHeldSlice(const Manipulator& manipulator, const HeldJoint& joint)
     : HeldSlice(manipulator, joint.leg, SliceSums::no),
-      held_leg_(manipulator.leg(joint.leg)),
+      held_leg_(std::make_shared<const Leg>(manipulator.leg(joint.leg))),
       circle_(circle_of_anchor(manipulator, joint)),
-      held_(held_leg_, joint.value, 0.0),
-      held_is_strut_(held_leg_.kind().type == LegType::strut),
+      held_(*held_leg_, joint.value, 0.0),
+      held_is_strut_(held_leg_->kind().type == LegType::strut),
       length_(held_.rod(Turn<Interval>{1.0, 0.0}).x),
-      legs_{MovingLeg(manipulator.leg(leg(0)), held_leg_), MovingLeg(manipulator.leg(leg(1)), held_leg_)} {}
+      legs_{MovingLeg(manipulator.leg(leg(0)), *held_leg_), MovingLeg(manipulator.leg(leg(1)), *held_leg_)} {}
 
 void PlanarHeldSlice::hold(const Interval& value) noexcept {
-  held_ = HeldLeg(held_leg_, value, 0.0);
+  held_ = HeldLeg(*held_leg_, value, 0.0);
   length_ = held_.rod(Turn<Interval>{1.0, 0.0}).x;
   in_range_ = true;
 }
@@ -91,6 +91,7 @@ HeldSlice::LegAt PlanarHeldSlice::leg_at(std::size_t i, const Interval& q) const
                CosineSum::along({-slope.x, -slope.y}, length_, moving.between_anchors, o)};
   result.equation.constant += Interval(-0.5) * square(at.rod(Turn<Interval>{1.0, 0.0}).x);
   result.slope.constant += -at.half_square_slope();
+  if (in_range_) result.held_slope = held_slope(moving, o);
   return result;
 }
 
@@ -121,8 +122,13 @@ Verdict PlanarHeldSlice::leg_within_limits(std::size_t i, int sign, const SliceP
 }
 
 Interval PlanarHeldSlice::held_entry(const SlicePlace& at) const noexcept {
-  const Planar<Interval> u = held_.rod(at.over().direction);
-  return held_.center_slope().x * u.x + held_.center_slope().y * u.y;
+  return held_entry_over(at).value;
+}
+
+PlanarHeldSlice::HeldEntry PlanarHeldSlice::held_entry_over(const SlicePlace& at) const noexcept {
+  const Planar<Interval> u = held_.rod(at.over().direction), lever = held_.center_slope(),
+                         bend = held_.center_bend();
+  return {lever.x * u.x + lever.y * u.y, lever.y * u.x - lever.x * u.y, bend.x * u.x + bend.y * u.y};
 }
 
 }  // namespace parallel_aspects

@@ -7,6 +7,11 @@
 #include "legs/planar_leg.h"
 #include "parallel_aspects/aspects/held_joint.h"
 
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+
 namespace parallel_aspects {
 
 /// The slice of a robot of SE2.
@@ -26,6 +31,18 @@ class PlanarHeldSlice : public HeldSlice {
   std::optional<LegOver> leg_over(std::size_t i, int sign, const SlicePlace& at) const noexcept override;
   LegAt leg_at(std::size_t i, const Interval& q) const noexcept override;
   Pose pose(const std::array<double, 2>& at) const override;
+
+  /// B_jj of the leg whose joint is held, but for a positive factor, and its derivatives by the direction of
+  /// the rod and by the value that is held.
+  struct HeldEntry {
+    Interval value, by_direction, by_held;
+  };
+  HeldEntry held_entry_over(const SlicePlace& at) const noexcept;
+
+  /// B_jj^2 of leg i, 0 or 1, of a strut a number that does not vanish.
+  Interval squared_entry(std::size_t i, const SlicePlace& at) const noexcept {
+    return legs_[i].leg.form(displacement(legs_[i], at.over())).squared_entry;
+  }
 
  private:
   struct MovingLeg {
@@ -49,7 +66,7 @@ class PlanarHeldSlice : public HeldSlice {
   Planar<Interval> displacement(const MovingLeg& leg, const SliceTurns& at) const noexcept;
   CosineSum held_slope(const MovingLeg& leg, const Planar<Interval>& o) const noexcept;
 
-  Leg held_leg_;
+  std::shared_ptr<const Leg> held_leg_;
   AnchorCircle circle_;
   HeldLeg held_;
   bool held_is_strut_;

@@ -10,16 +10,14 @@
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_plan.h"
 #include "aspects/stars/star_finder.h"
+#include "aspects/tree/joint_progress.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <limits>
-#include <numeric>
-#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -121,31 +119,6 @@ void find_deepest_poses(AspectMap::Contents& map, const std::vector<ModeSource>&
     }
   }
 }
-
-/// Progress of equal parts of the work that run at the same time. The thread that made this reports it, while
-/// it works on one of them.
-class JointProgress {
- public:
-  JointProgress(const MapControl& whole, std::size_t parts) : whole_(whole), shares_(parts) {}
-
-  MapControl of(std::size_t part) {
-    MapControl control = whole_;
-    if (whole_.progress) control.progress = [this, part](double share) { report(part, share); };
-    return control;
-  }
-
- private:
-  void report(std::size_t part, double share) {
-    shares_[part] = share;
-    if (std::this_thread::get_id() != thread_) return;
-    const double sum = std::accumulate(shares_.begin(), shares_.end(), 0.0);
-    whole_.progress(sum / static_cast<double>(shares_.size()));
-  }
-
-  const MapControl& whole_;
-  const std::thread::id thread_ = std::this_thread::get_id();
-  std::vector<std::atomic<double>> shares_;
-};
 
 /// Components of these modes, with contested leaves refined. False when cancelled.
 bool find_components_of(const std::vector<std::size_t>& modes, AspectMap::Contents& map, const MapPlan& plan,

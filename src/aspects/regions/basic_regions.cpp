@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/regions/basic_regions.h"
 
-#include "aspects/solutions/solution_search.h"
 #include "interval/rounding.h"
 
 #include <algorithm>
@@ -24,7 +23,7 @@ std::vector<std::size_t> set_by_piece(const ActuatedSpace& space, const std::vec
 LinksByPiece links_by_piece(const ActuatedSpace& space) {
   LinksByPiece result(space.pieces().size());
   for (std::size_t i = 0; i < space.links().size(); ++i)
-    for (const PieceIndex end : {space.links()[i].first, space.links()[i].second}) result[end].push_back(i);
+    for (const PieceIndex end : space.links()[i].pieces) result[end].push_back(i);
   return result;
 }
 
@@ -32,12 +31,11 @@ std::size_t count_of(const SolutionSet& set) { return set.solutions ? set.soluti
 
 }  // namespace
 
-RegionAtlas::RegionAtlas(const StrutSlice& slice, const ActuatedSpace& space,
+RegionAtlas::RegionAtlas(const SolutionEquations& equations, SolveAt solve, const ActuatedSpace& space,
                          const std::vector<SolutionSet>& sets, AspectOfSolution aspect_of,
                          const MapControl& control)
-    : slice_(slice),
-      equations_(slice),
-      tracker_(equations_),
+    : solve_(std::move(solve)),
+      tracker_(equations),
       space_(space),
       sets_(sets),
       aspect_of_(std::move(aspect_of)),
@@ -49,7 +47,10 @@ RegionAtlas::RegionAtlas(const StrutSlice& slice, const ActuatedSpace& space,
   find_regions(control);
   for (const auto& [pair, cells] : cells_between())
     for (std::size_t i = 0; i < cells.size() && !is_cancelled(control); ++i)
-      if (i % (1 + cells.size() / cells_between_sets) == 0) cross(pair, *cells[i]);
+      if (i % (1 + cells.size() / cells_between_sets) == 0 &&
+          may_have_new_neighbours(result_.regions, neighbours_, region_of_[pair.first],
+                                  region_of_[pair.second]))
+        cross(pair, *cells[i]);
   result_.neighbours.assign(neighbours_.begin(), neighbours_.end());
 }
 
@@ -93,10 +94,10 @@ std::vector<std::pair<Box, std::size_t>> RegionAtlas::solutions_at(PieceIndex pi
       result.emplace_back((*boxes)[k], region_of_[s][k]);
     return result;
   }
-  const Lengths lengths = space_.point_of(piece);
-  const auto boxes = find_all_solutions(slice_, lengths);
+  const ActuatedValues values = space_.point_of(piece);
+  const auto boxes = solve_(values);
   for (std::size_t k = 0; boxes && k < boxes->size(); ++k)
-    if (const auto region = region_in(s, aspect_of_((*boxes)[k], lengths)))
+    if (const auto region = region_in(s, aspect_of_((*boxes)[k], values)))
       result.emplace_back((*boxes)[k], *region);
   return result;
 }
@@ -113,30 +114,34 @@ void RegionAtlas::cross(const SetPair& pair, const SpaceCell& cell) {
   const std::size_t fewer =
       count_of(sets_[pair.first]) < count_of(sets_[pair.second]) ? pair.first : pair.second;
   if (set_of_[from] != fewer) std::swap(from, to);
-  const auto ends = solutions_at(to);
-  Solutions boxes;
-  for (const auto& end : ends) boxes.push_back(end.first);
   for (const auto& [box, region] : solutions_at(from)) {
-    const auto found = tracker_.follow(box, space_.point_of(from), space_.point_of(to));
-    if (!found || boxes.size() < count_of(sets_[set_of_[to]])) continue;
-    if (const auto k = SolutionTracker::find(*found, boxes))
-      neighbours_.insert(std::minmax(region, ends[*k].second));
+    if (!may_have_new_neighbours(result_.regions, neighbours_, {region}, region_of_[set_of_[to]])) continue;
+    const auto there = tracker_.follow(box, space_.point_of(from), space_.point_of(to));
+    const auto other = there ? region_at(to, *there) : std::nullopt;
+    if (other && result_.regions[region].aspect == result_.regions[*other].aspect)
+      neighbours_.insert(std::minmax(region, *other));
   }
 }
 
+/// The region of the solution in a box, the only one in it for the values at the point of a piece.
+std::optional<std::size_t> RegionAtlas::region_at(PieceIndex piece, const Box& box) const {
+  const std::size_t s = set_of_[piece];
+  if (!lifts_[s]) return region_in(s, aspect_of_(box, space_.point_of(piece)));
+  const Solutions* solutions = lifts_[s]->at(piece);
+  const auto k = solutions != nullptr ? SolutionTracker::find(box, *solutions) : std::nullopt;
+  return k ? std::optional<std::size_t>(region_of_[s][*k]) : std::nullopt;
+}
+
 // A piece is convex, so that the line to its point stays in it.
-std::optional<std::size_t> RegionAtlas::locate(const Box& box, const Lengths& lengths) const {
+std::optional<std::size_t> RegionAtlas::locate(const Box& box, const ActuatedValues& values) const {
   assert_rounding_upward();
-  const auto piece = space_.find(lengths);
+  const auto piece = space_.find(values);
   if (!piece) return std::nullopt;
   const std::size_t s = set_of_[*piece];
   if (count_of(sets_[s]) == 0) return std::nullopt;
-  if (!lifts_[s]) return region_in(s, aspect_of_(box, lengths));
-  const Solutions* solutions = lifts_[s]->at(*piece);
-  const auto there =
-      solutions != nullptr ? tracker_.follow(box, lengths, space_.point_of(*piece)) : std::nullopt;
-  const auto k = there ? SolutionTracker::find(*there, *solutions) : std::nullopt;
-  return k ? std::optional<std::size_t>(region_of_[s][*k]) : std::nullopt;
+  if (!lifts_[s]) return region_in(s, aspect_of_(box, values));
+  const auto there = tracker_.follow(box, values, space_.point_of(*piece));
+  return there ? region_at(*piece, *there) : std::nullopt;
 }
 
 }  // namespace parallel_aspects

@@ -7,7 +7,6 @@
 #include "aspects/solutions/actuated_space.h"
 #include "aspects/solutions/solution_regions.h"
 #include "aspects/solutions/solution_tracker.h"
-#include "aspects/solutions/strut_equations.h"
 
 #include <cstddef>
 #include <functional>
@@ -19,21 +18,21 @@
 
 namespace parallel_aspects {
 
-/// The aspect of the solution in a box, for these lengths; 0 where nobody can tell.
-using AspectOfSolution = std::function<int(const Box&, const Lengths&)>;
+/// The aspect of the solution in a box, for these values; 0 where nobody can tell.
+using AspectOfSolution = std::function<int(const Box&, const ActuatedValues&)>;
 
 /// Lifts sets of actuated values into the poses, and tells which region holds one.
 class RegionAtlas {
  public:
   /// What it is given must outlive it. Needs a live `RoundingUpward`.
-  RegionAtlas(const StrutSlice& slice, const ActuatedSpace& space, const std::vector<SolutionSet>& sets,
-              AspectOfSolution aspect_of, const MapControl& control);
+  RegionAtlas(const SolutionEquations& equations, SolveAt solve, const ActuatedSpace& space,
+              const std::vector<SolutionSet>& sets, AspectOfSolution aspect_of, const MapControl& control);
 
   const FoundRegions& found() const noexcept { return result_; }
 
-  /// The region of the solution in `box`, the only one in it for these lengths; nothing where nobody can
+  /// The region of the solution in `box`, the only one in it for these values; nothing where nobody can
   /// tell. Needs a live `RoundingUpward`.
-  std::optional<std::size_t> locate(const Box& box, const Lengths& lengths) const;
+  std::optional<std::size_t> locate(const Box& box, const ActuatedValues& values) const;
 
  private:
   using SetPair = std::pair<std::size_t, std::size_t>;
@@ -43,10 +42,10 @@ class RegionAtlas {
   std::optional<std::size_t> region_in(std::size_t s, int aspect) const;
   std::map<SetPair, std::vector<const SpaceCell*>> cells_between() const;
   std::vector<std::pair<Box, std::size_t>> solutions_at(PieceIndex piece) const;
+  std::optional<std::size_t> region_at(PieceIndex piece, const Box& box) const;
   void cross(const SetPair& pair, const SpaceCell& cell);
 
-  const StrutSlice& slice_;
-  StrutEquations equations_;
+  SolveAt solve_;
   SolutionTracker tracker_;
   const ActuatedSpace& space_;
   const std::vector<SolutionSet>& sets_;

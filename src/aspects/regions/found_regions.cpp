@@ -1,9 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/regions/found_regions.h"
 
+#include <algorithm>
 #include <set>
 
 namespace parallel_aspects {
+
+bool may_have_new_neighbours(const std::vector<FoundRegion>& regions, const std::set<RegionPair>& known,
+                             const std::vector<std::size_t>& over_one,
+                             const std::vector<std::size_t>& over_other) {
+  for (const std::size_t region : over_one)
+    for (const std::size_t other : over_other)
+      if (regions[region].aspect != 0 && regions[region].aspect == regions[other].aspect &&
+          known.count(std::minmax(region, other)) == 0)
+        return true;
+  return false;
+}
 
 bool have_own_aspects(const std::vector<int>& aspects) {
   const std::set<int> different(aspects.begin(), aspects.end());

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_REGIONS_FOUND_REGIONS_H
 
 #include <cstddef>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,15 @@ struct FoundRegions {
   std::vector<std::pair<std::size_t, std::size_t>>
       neighbours;  ///< indices, the smaller first; each pair once
 };
+
+/// Indices of two regions, the smaller first.
+using RegionPair = std::pair<std::size_t, std::size_t>;
+
+/// Whether some of these regions, over one set, share their aspect with some of others, over another, and are
+/// not among the neighbours that are known.
+bool may_have_new_neighbours(const std::vector<FoundRegion>& regions, const std::set<RegionPair>& known,
+                             const std::vector<std::size_t>& over_one,
+                             const std::vector<std::size_t>& over_other);
 
 /// Whether each of these solutions is in an aspect of its own, so that closed paths lead it to nothing but
 /// itself.

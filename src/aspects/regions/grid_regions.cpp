@@ -2,7 +2,6 @@
 #include "aspects/regions/grid_regions.h"
 
 #include "aspects/components/disjoint_sets.h"
-#include "aspects/zeros/krawczyk.h"
 #include "interval/rounding.h"
 
 #include <algorithm>
@@ -16,12 +15,6 @@ namespace {
 // these.
 constexpr std::ptrdiff_t longest_gap = 40;
 constexpr std::size_t gaps_between_sets = 24;
-
-// Values in another turn are rounded by far less [m or rad].
-constexpr double turn_slack = 1e-12;
-
-// A box of a solution about itself for all these values is so much larger at each end [half turns].
-constexpr double arrival_margin = 1e-9;
 
 std::pair<std::size_t, std::size_t> sets_of(const GridGap& gap) {
   return std::minmax(gap.sets[0], gap.sets[1]);
@@ -92,29 +85,15 @@ void GridRegions::find_neighbours(std::size_t axis, const MapControl& control) {
   for (const auto& [sets, gaps] : between) {
     const std::size_t step = 1 + gaps.size() / gaps_between_sets;
     for (std::size_t i = step / 2; i < gaps.size() && !is_cancelled(control); i += step) {
-      if (!has_new_neighbours(sets)) break;
+      if (!may_have_new_neighbours(result_.regions, neighbours_, region_of_[sets.first],
+                                   region_of_[sets.second]))
+        break;
       const std::vector<GridPlace> cells = cells_in(gaps[i]);
       const bool is_free = std::none_of(cells.begin(), cells.end(),
                                         [&](const GridPlace& cell) { return crossed_.count(cell) > 0; });
       if ((axis == 0 || is_free) && cross(gaps[i])) crossed_.insert(cells.begin(), cells.end());
     }
   }
-}
-
-/// Whether regions over both sets share their aspect, and are not known to be neighbours.
-bool GridRegions::has_new_neighbours(const IndexPair& sets) const {
-  const std::vector<std::size_t>& regions = region_of_[sets.first];
-  return std::any_of(regions.begin(), regions.end(),
-                     [&](std::size_t each) { return may_be_new(each, sets.second); });
-}
-
-/// Whether a region over the other set is of its aspect, and not known to be a neighbour.
-bool GridRegions::may_be_new(std::size_t region, std::size_t other) const {
-  const int aspect = result_.regions[region].aspect;
-  return std::any_of(region_of_[other].begin(), region_of_[other].end(), [&](std::size_t each) {
-    return aspect != 0 && result_.regions[each].aspect == aspect &&
-           neighbours_.count(std::minmax(region, each)) == 0;
-  });
 }
 
 /// From the values inside the one set to those inside the other. Whether any regions are new neighbours.
@@ -127,7 +106,7 @@ bool GridRegions::cross(const GridGap& gap) {
   const std::size_t known = neighbours_.size();
   for (std::size_t k = 0; k < region_of_[gap.sets[0]].size(); ++k) {
     const std::size_t region = region_of_[gap.sets[0]][k];
-    if (!may_be_new(region, gap.sets[1])) continue;
+    if (!may_have_new_neighbours(result_.regions, neighbours_, {region}, region_of_[gap.sets[1]])) continue;
     const auto box = follow(solved_[gap.sets[0]]->boxes[k], corners);
     const auto end = box ? arrived(gap.sets[1], *box, corners.back()) : std::nullopt;
     if (!end) continue;
@@ -156,17 +135,8 @@ std::optional<Box> GridRegions::follow(Box box, const Corners& corners) const {
 /// values beside these there is one solution in a box about it: so for those in the first turn it is that
 /// one.
 std::optional<std::size_t> GridRegions::arrived(std::size_t set, const Box& box, const GridPlace& at) const {
-  const std::array<double, 2> values = grid_.values_at(at);
-  std::array<Interval, 2> beside;
-  Box about = box;
-  for (std::size_t i = 0; i < 2; ++i) {
-    beside[i] = Interval(values[i]) + Interval(-turn_slack, turn_slack);
-    const double margin = arrival_margin + box.width(i);
-    about.lower[i] -= margin;
-    about.upper[i] += margin;
-  }
-  if (krawczyk_test(about, equations_.over(about, beside)).zeros != Zeros::one) return std::nullopt;
-  return SolutionTracker::find(about, solved_[set]->boxes);
+  const auto about = tracker_.widened(box, values_at(at), turn_slack);
+  return about ? SolutionTracker::find(*about, solved_[set]->boxes) : std::nullopt;
 }
 
 std::optional<std::size_t> GridRegions::locate(const Box& box, const std::array<double, 2>& values) const {

@@ -58,8 +58,6 @@ class GridRegions {
   void label(std::size_t set, RegionsOfSet& of) const;
   void find_neighbours(std::size_t axis, const MapControl& control);
   std::vector<GridPlace> cells_in(const GridGap& gap) const;
-  bool has_new_neighbours(const IndexPair& sets) const;
-  bool may_be_new(std::size_t region, std::size_t other) const;
   bool cross(const GridGap& gap);
   std::optional<Box> follow(Box box, const Corners& corners) const;
   std::optional<std::size_t> arrived(std::size_t set, const Box& box, const GridPlace& at) const;

@@ -44,10 +44,10 @@ void SolutionLift::spread(const MapControl& control) {
 
 std::optional<PieceIndex> SolutionLift::enter(std::size_t index, PieceIndex from) {
   const PieceLink& link = space_.links()[index];
-  const PieceIndex to = link.first == from ? link.second : link.first;
+  const std::size_t end = link.pieces[0] == from ? 0 : 1;
+  const PieceIndex to = link.pieces[1 - end];
   if (over_.count(to) > 0) return std::nullopt;
-  const auto half = followed(over_.at(from), space_.point_of(from), link.common);
-  auto there = half ? followed(*half, link.common, space_.point_of(to)) : std::nullopt;
+  auto there = across(link, end);
   if (!there) return std::nullopt;
   over_.emplace(to, std::move(*there));
   has_parts_beyond_.insert(from);
@@ -59,8 +59,8 @@ std::vector<std::size_t> SolutionLift::links_inside() const {
   std::vector<std::size_t> result;
   for (const PieceIndex piece : set_.pieces)
     for (const std::size_t link : links_[piece])
-      if (space_.links()[link].first == piece && entered_by_.count(link) == 0 && at(piece) != nullptr &&
-          at(space_.links()[link].second) != nullptr)
+      if (space_.links()[link].pieces[0] == piece && entered_by_.count(link) == 0 && at(piece) != nullptr &&
+          at(space_.links()[link].pieces[1]) != nullptr)
         result.push_back(link);
   return result;
 }
@@ -77,12 +77,11 @@ void SolutionLift::compare_links(const MapControl& control) {
 
 /// Which solution at the second piece each one at the first leads to.
 SolutionLift::Comparison SolutionLift::compared(const PieceLink& link) const {
-  const auto half = followed(over_.at(link.first), space_.point_of(link.first), link.common);
-  const auto there = half ? followed(*half, link.common, space_.point_of(link.second)) : std::nullopt;
+  const auto there = across(link, 0);
   if (!there) return std::nullopt;
   std::vector<std::size_t> result;
   for (const Box& box : *there) {
-    const auto same = SolutionTracker::find(box, over_.at(link.second));
+    const auto same = SolutionTracker::find(box, over_.at(link.pieces[1]));
     if (!same) return std::nullopt;
     result.push_back(*same);
   }
@@ -91,25 +90,29 @@ SolutionLift::Comparison SolutionLift::compared(const PieceLink& link) const {
 
 /// Where it is not known where a link leads, a piece is left out again that nothing was reached from.
 void SolutionLift::take(const PieceLink& link, const Comparison& comparison) {
-  if (at(link.first) == nullptr || at(link.second) == nullptr) return;
+  const auto& [first, second] = link.pieces;
+  if (at(first) == nullptr || at(second) == nullptr) return;
   if (comparison) {
     for (std::uint32_t k = 0; k < comparison->size(); ++k)
       same_.unite(k, static_cast<std::uint32_t>((*comparison)[k]));
-  } else if (has_parts_beyond_.count(link.second) == 0) {
-    over_.erase(link.second);
-  } else if (has_parts_beyond_.count(link.first) == 0) {
-    over_.erase(link.first);
+  } else if (has_parts_beyond_.count(second) == 0) {
+    over_.erase(second);
+  } else if (has_parts_beyond_.count(first) == 0) {
+    over_.erase(first);
   } else {
     consistent_ = false;
   }
 }
 
-/// All of them; nothing where one of them can not be followed.
-std::optional<SolutionLift::Solutions> SolutionLift::followed(const Solutions& solutions, const Lengths& from,
-                                                              const Lengths& to) const {
+/// From one end of a link to the other; nothing where one of the solutions can not be followed.
+std::optional<SolutionLift::Solutions> SolutionLift::across(const PieceLink& link, std::size_t from) const {
+  const PieceIndex start = link.pieces[from], end = link.pieces[1 - from];
+  const ActuatedValues &near = link.common[from], &far = link.common[1 - from];
   Solutions result;
-  for (const Box& box : solutions) {
-    const auto next = tracker_.follow(box, from, to);
+  for (const Box& box : over_.at(start)) {
+    auto next = tracker_.follow(box, space_.point_of(start), near);
+    if (next && near != far) next = tracker_.widened(*next, far, turn_slack);  // a turn apart
+    if (next) next = tracker_.follow(*next, far, space_.point_of(end));
     if (!next) return std::nullopt;
     result.push_back(*next);
   }

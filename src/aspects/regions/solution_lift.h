@@ -20,9 +20,9 @@ namespace parallel_aspects {
 /// By piece, the indices of its links.
 using LinksByPiece = std::vector<std::vector<std::size_t>>;
 
-/// The solutions of one set of lengths over its pieces. In each piece every solution is a continuous function
-/// of the lengths, since the piece is convex and no singular pose leads there. These are followed from
-/// piece to piece. Needs a live `RoundingUpward`.
+/// The solutions of one set of actuated values over its pieces. In each piece every solution is a continuous
+/// function of the values, since the piece is convex and no singular pose leads there. These are followed
+/// from piece to piece. Needs a live `RoundingUpward`.
 class SolutionLift {
  public:
   using Solutions = std::vector<Box>;
@@ -52,7 +52,7 @@ class SolutionLift {
   std::vector<std::size_t> links_inside() const;
   void take(const PieceLink& link, const Comparison& comparison);
   Comparison compared(const PieceLink& link) const;
-  std::optional<Solutions> followed(const Solutions& solutions, const Lengths& from, const Lengths& to) const;
+  std::optional<Solutions> across(const PieceLink& link, std::size_t from) const;
   bool is_whole(PieceIndex piece) const { return space_.pieces()[piece].side == 0; }
 
   const SolutionTracker& tracker_;

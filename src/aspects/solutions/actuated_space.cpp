@@ -4,6 +4,7 @@
 #include "aspects/solutions/cell_slab.h"
 #include "aspects/tree/box_parts.h"
 #include "interval/scalar_range.h"
+#include "model/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,22 +21,26 @@ constexpr std::size_t cells_between_reports = 1024;
 
 constexpr double smallest_cell_share = 0x1p-20;  // of the whole
 
+// A strip and a cell that together are narrower meet in one turn at most: the middles of both are half a turn
+// apart in the others.
+constexpr double widest_in_one_turn = full_turn * (1.0 - 1e-9);
+
 double longest_side(const ValueBox& values) {
   double longest = 0.0;
   for (const Interval& each : values) longest = std::max(longest, each.upper() - each.lower());
   return longest;
 }
 
-/// Within limits, and no longer than the slice reaches.
-Box space_of(const StrutSlice& slice) {
-  Box box{slice.dimension(), {}, {}};
-  for (std::size_t i = 0; i < box.dimension; ++i) {
-    const auto& [least, most] = slice.limits(i);
-    const double largest = std::min(most.upper(), slice.largest_half_square(i));
-    box.lower[i] = square_root(Interval(2.0) * least).lower();
-    box.upper[i] = std::max(box.lower[i], square_root(Interval(2.0) * Interval(largest)).upper());
-  }
-  return box;
+/// n . values in the middle of the cell.
+Interval at_middle(const Box& cell, const std::array<double, 3>& n) noexcept {
+  Interval sum;
+  for (std::size_t i = 0; i < cell.dimension; ++i) sum += Interval(n[i]) * Interval(cell.center(i));
+  return sum;
+}
+
+void leave_unknown(SpaceCell& cell) noexcept {
+  cell.slope = {};
+  cell.slab = {-1.0, 1.0};
 }
 
 bool may_hold(const Box& box, const LengthRanges& lengths) noexcept {
@@ -59,18 +64,53 @@ ValueBox half_squares(const Box& lengths) noexcept {
   return values;
 }
 
-ActuatedSpace::ActuatedSpace(const StrutSlice& slice, SingularImages& images, double unknown_share,
-                             const MapControl& control, std::size_t most_cells)
-    : slice_(slice), images_(images) {
+ActuatedSpace::ActuatedSpace(SingularImages& images, double unknown_share, const MapControl& control,
+                             std::size_t most_cells)
+    : space_(images.space()), images_(images) {
   assert_rounding_upward();
   cells_.emplace_back();
-  cells_.back().box = space_of(slice);
+  cells_.back().box = space_.values;
   classify(0, {SingularImages::root});
   divide(unknown_share, most_cells, control);
   make_pieces();
   for (SpaceCell& cell : cells_) std::vector<Node>().swap(cell.touching);
   images_.clear();
   join_inside(0);
+  for (std::size_t axis = 0; axis < dimension(); ++axis)
+    if (space_.are_periodic[axis]) join_across(axis, 0, 0);
+}
+
+ValueBox ActuatedSpace::values_over(const SpaceCell& cell) const noexcept {
+  if (space_.of_half_squares) return half_squares(cell.box);
+  ValueBox values;
+  for (std::size_t i = 0; i < dimension(); ++i) values[i] = {cell.box.lower[i], cell.box.upper[i]};
+  return values;
+}
+
+/// The strip in the turn where it is nearest to the cell; an angle that may meet the cell in two turns counts
+/// as all angles. Nothing where the cell is too large for that.
+std::optional<ImageStrip> ActuatedSpace::strip_beside(const ValueBox& cell, Node node) const {
+  const ImageStrip& strip = images_.strip(node);
+  ValueBox turns;
+  std::array<bool, 3> takes_all{};
+  bool moves = false;
+  for (std::size_t i = 0; i < dimension(); ++i) {
+    if (!space_.are_angles[i]) continue;
+    const double width = strip.range[i].upper() - strip.range[i].lower();
+    const double cell_width = cell[i].upper() - cell[i].lower();
+    if (!(cell_width < widest_in_one_turn)) return std::nullopt;
+    takes_all[i] = !(width + cell_width < widest_in_one_turn);
+    moves = moves || takes_all[i];
+    if (takes_all[i]) continue;
+    const double turn = std::round((middle_of(cell[i]) - middle_of(strip.range[i])) / full_turn);
+    turns[i] = Interval(2.0 * turn) * pi_enclosure();
+    moves = moves || turn != 0.0;
+  }
+  if (!moves) return strip;
+  ImageStrip result = strip.moved(turns);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (takes_all[i]) result.take_all(i);
+  return result;
 }
 
 // The cells with the most unknown first.
@@ -117,31 +157,43 @@ void ActuatedSpace::classify(std::uint32_t index, const std::vector<Node>& candi
 }
 
 void ActuatedSpace::collect(const SpaceCell& cell, Node node, std::vector<Node>& touching) {
-  const ValueBox values = half_squares(cell.box);
-  const ImageStrip& strip = images_.strip(node);
-  if (!strip.may_meet(values)) return;
-  const bool is_short = longest_side(strip.range) <= longest_strip * longest_side(values);
+  const ValueBox values = values_over(cell);
+  const auto strip = strip_beside(values, node);
+  if (strip && !strip->may_meet(values)) return;
+  const bool is_short = longest_side(images_.strip(node).range) <= longest_strip * longest_side(values);
   if (is_short || images_.is_smallest(node)) return touching.push_back(node);
-  const std::vector<Node> parts = images_.parts(node);
-  for (const Node part : parts) collect(cell, part, touching);
+  const SingularImages::Parts parts = images_.parts(node);
+  for (Node k = 0; k < parts.count; ++k) collect(cell, parts[k], touching);
 }
 
 void ActuatedSpace::find_slab(SpaceCell& cell) const {
-  std::array<double, 3> normal{};
+  const ValueBox values = values_over(cell);
+  std::vector<ImageStrip> strips;
   for (const Node node : cell.touching) {
-    const auto& n = images_.strip(node).normal();
+    const auto strip = strip_beside(values, node);
+    if (!strip) return leave_unknown(cell);
+    strips.push_back(*strip);
+  }
+  std::array<double, 3> normal{};
+  for (const ImageStrip& strip : strips) {
+    const auto& n = strip.normal();
     const double along = n[0] * normal[0] + n[1] * normal[1] + n[2] * normal[2];
     for (std::size_t i = 0; i < 3; ++i) normal[i] += along < 0.0 ? -n[i] : n[i];
   }
   double lower = HUGE_VAL, upper = -HUGE_VAL;
-  for (const Node node : cell.touching) {
-    const Interval along = images_.strip(node).along(normal);
+  for (const ImageStrip& strip : strips) {
+    const Interval along = strip.along(normal);
     lower = std::min(lower, along.lower());
     upper = std::max(upper, along.upper());
   }
-  const LinearOverCell linear(cell.box, normal);
-  cell.slope = linear.slope;
-  cell.slab = Interval(lower, upper) - linear.rest;
+  if (space_.of_half_squares) {
+    const LinearOverCell linear(cell.box, normal);
+    cell.slope = linear.slope;
+    cell.slab = Interval(lower, upper) - linear.rest;
+    return;
+  }
+  cell.slope = normal;
+  cell.slab = Interval(lower, upper) - at_middle(cell.box, normal);
 }
 
 void ActuatedSpace::make_pieces() {
@@ -182,45 +234,52 @@ void ActuatedSpace::join_across(std::size_t axis, std::uint32_t a, std::uint32_t
       join_across(axis, a_first != 0 ? a_first + rank + along : a, b_first != 0 ? b_first + rank : b);
 }
 
-// At the corners of the face that they share.
+// At the corners of the face that they share, or of both faces, a turn apart.
 void ActuatedSpace::join_leaves(std::size_t axis, std::uint32_t a, std::uint32_t b) {
   const Box &one = cells_[a].box, &other = cells_[b].box;
   const std::uint32_t corners = 1U << dimension();
   for (std::uint32_t corner = 0; corner < corners; ++corner) {
     if ((corner >> axis & 1U) != 0) continue;
-    Lengths at{};
+    ActuatedValues at{};
     for (std::size_t i = 0; i < dimension(); ++i)
       at[i] = (corner >> i & 1U) != 0 ? std::min(one.upper[i], other.upper[i])
                                       : std::max(one.lower[i], other.lower[i]);
-    join_at(a, b, at);
+    std::array<ActuatedValues, 2> common{at, at};
+    common[0][axis] = one.upper[axis];
+    common[1][axis] = other.lower[axis];
+    join_at(a, b, common);
   }
 }
 
 // Both are closed up to their slabs, and convex.
-void ActuatedSpace::join_at(std::uint32_t a, std::uint32_t b, const Lengths& at) {
-  const auto one = piece_at(cells_[a], at), other = piece_at(cells_[b], at);
+void ActuatedSpace::join_at(std::uint32_t a, std::uint32_t b, const std::array<ActuatedValues, 2>& at) {
+  const double slack = at[0] == at[1] ? 0.0 : turn_slack;
+  const auto one = piece_at(cells_[a], at[0], slack), other = piece_at(cells_[b], at[1], slack);
   if (!one || !other) return;
   sets_.unite(*one, *other);
-  const bool known = !links_.empty() && links_.back().first == *one && links_.back().second == *other;
-  if (!known) links_.push_back({*one, *other, at});
+  const std::array<PieceIndex, 2> pieces{*one, *other};
+  if (links_.empty() || links_.back().pieces != pieces) links_.push_back({pieces, at});
 }
 
-std::optional<PieceIndex> ActuatedSpace::piece_at(const SpaceCell& cell, const Lengths& at) const {
+// With all values that are off by so much.
+std::optional<PieceIndex> ActuatedSpace::piece_at(const SpaceCell& cell, const ActuatedValues& at,
+                                                  double slack) const {
   if (cell.pieces[1]) return cell.pieces[1];
-  const Interval value = linear_at(cell.box, cell.slope, at);
+  Interval value = linear_at(cell.box, cell.slope, at);
+  for (const double slope : cell.slope) value += Interval(-slack, slack) * Interval(slope);
   if (value.upper() < cell.slab.lower()) return cell.pieces[0];
   if (value.lower() > cell.slab.upper()) return cell.pieces[2];
   return std::nullopt;
 }
 
-std::optional<PieceIndex> ActuatedSpace::find(const Lengths& lengths) const {
+std::optional<PieceIndex> ActuatedSpace::find(const ActuatedValues& values) const {
   std::uint32_t cell = 0;
-  if (!cells_[cell].box.contains(lengths)) return std::nullopt;
-  while (cells_[cell].first_child != 0) cell = cells_[cell].first_child + cells_[cell].box.rank_of(lengths);
-  return piece_at(cells_[cell], lengths);
+  if (!cells_[cell].box.contains(values)) return std::nullopt;
+  while (cells_[cell].first_child != 0) cell = cells_[cell].first_child + cells_[cell].box.rank_of(values);
+  return piece_at(cells_[cell], values);
 }
 
-Lengths ActuatedSpace::point_of(PieceIndex index) const {
+ActuatedValues ActuatedSpace::point_of(PieceIndex index) const {
   const Piece& piece = pieces_[index];
   const SpaceCell& cell = cells_[piece.cell];
   if (piece.side == 0) return cell.box.middle();

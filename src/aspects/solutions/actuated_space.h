@@ -3,8 +3,8 @@
 #define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_ACTUATED_SPACE_H
 
 #include "aspects/components/disjoint_sets.h"
-#include "aspects/cusps/singular_images.h"
-#include "aspects/cusps/strut_slice.h"
+#include "aspects/images/singular_images.h"
+#include "aspects/solutions/solution_equations.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_control.h"
 
@@ -26,22 +26,23 @@ struct Piece {
   double measure = 0.0;  ///< a lower bound [m^2 or m^3]
 };
 
-/// A square of two lengths, or a cube of three.
+/// A rectangle of two actuated values, or a box of three.
 struct SpaceCell {
-  Box box;                                     ///< of the lengths [m]
+  Box box;                                     ///< [m or rad]
   std::uint32_t first_child = 0;               ///< 0 where it is not divided
   std::vector<SingularImages::Node> touching;  ///< whose images may touch it; empty once it is divided
-  /// Their images are where slope . (lengths - middle) is in here; on both sides of it there are none.
+  /// Their images are where slope . (values - middle) is in here; on both sides of it there are none.
   std::array<double, 3> slope{};
   Interval slab;
   std::array<std::optional<PieceIndex>, 3> pieces;  ///< by side, + 1
   double unknown = 0.0;                             ///< what is in no piece, an upper bound [m^2 or m^3]
 };
 
-/// Two pieces of one connected set, with lengths that both hold [m].
+/// Two pieces of one connected set, with values that both hold [m or rad]: as the first has them and, of an
+/// angle whose last values are the first, as the second does, a turn apart.
 struct PieceLink {
-  PieceIndex first = 0, second = 0;
-  Lengths common{};
+  std::array<PieceIndex, 2> pieces{};
+  std::array<ActuatedValues, 2> common{};
 };
 
 /// Enclosures of all three lengths [m].
@@ -57,21 +58,21 @@ struct LengthCover {
   std::optional<std::uint32_t> cell;  ///< the only one that they may be in
 };
 
-/// The plane of both lengths of a slice, or the space of all three of a family of them, divided into squares
-/// or cubes until all but little of it is in pieces that no image of a singular pose touches. Within limits.
+/// The plane of both actuated values of a slice, or the space of all three of a family of them, divided into
+/// rectangles or boxes until all but little of it is in pieces that no image of a singular pose touches.
+/// Within limits.
 ///
 /// Over a connected set of values that g takes no singular pose to, the number of poses is constant: poses of
-/// bounded lengths form a compact set, so that poses can neither come from nor go to anywhere else, and each
-/// is regular.
+/// bounded values form a compact set, so that poses can neither come from nor go to anywhere else, and each
+/// is regular. So is the number of poses in a working mode where the images are those of its singular poses.
 class ActuatedSpace {
  public:
   /// Takes and clears the images. The division ends where no more than `unknown_share` of the whole is in no
   /// piece, or at so many cells. Needs a live `RoundingUpward`. Ends early when cancelled.
-  ActuatedSpace(const StrutSlice& slice, SingularImages& images, double unknown_share,
-                const MapControl& control, std::size_t most_cells = 250000);
+  ActuatedSpace(SingularImages& images, double unknown_share, const MapControl& control,
+                std::size_t most_cells = 250000);
 
-  /// Of lengths.
-  std::size_t dimension() const noexcept { return slice_.dimension(); }
+  std::size_t dimension() const noexcept { return space_.values.dimension; }
 
   const std::vector<SpaceCell>& cells() const noexcept { return cells_; }
   const std::vector<Piece>& pieces() const noexcept { return pieces_; }
@@ -82,14 +83,14 @@ class ActuatedSpace {
   /// The least index of a piece of the connected set that holds this one.
   PieceIndex set_of(PieceIndex piece) { return sets_.find(piece); }
 
-  /// The piece that holds these lengths [m]; nothing where they are in none.
-  std::optional<PieceIndex> find(const Lengths& lengths) const;
+  /// The piece that holds these values [m or rad]; nothing where they are in none.
+  std::optional<PieceIndex> find(const ActuatedValues& values) const;
 
   /// Which pieces hold all lengths in these ranges, of a family. Needs a live `RoundingUpward`.
   LengthCover cover(const LengthRanges& lengths) const;
 
-  /// A point of the piece, away from its ends [m].
-  Lengths point_of(PieceIndex piece) const;
+  /// A point of the piece, away from its ends [m or rad].
+  ActuatedValues point_of(PieceIndex piece) const;
 
   /// What is in no piece, an upper bound [m^2 or m^3].
   double unknown() const noexcept { return unknown_; }
@@ -97,6 +98,8 @@ class ActuatedSpace {
  private:
   using Node = SingularImages::Node;
 
+  ValueBox values_over(const SpaceCell& cell) const noexcept;
+  std::optional<ImageStrip> strip_beside(const ValueBox& cell, Node node) const;
   void divide(double unknown_share, std::size_t most_cells, const MapControl& control);
   void classify(std::uint32_t cell, const std::vector<Node>& candidates);
   void collect(const SpaceCell& cell, Node node, std::vector<Node>& touching);
@@ -105,11 +108,12 @@ class ActuatedSpace {
   void join_inside(std::uint32_t cell);
   void join_across(std::size_t axis, std::uint32_t a, std::uint32_t b);
   void join_leaves(std::size_t axis, std::uint32_t a, std::uint32_t b);
-  void join_at(std::uint32_t a, std::uint32_t b, const Lengths& at);
+  void join_at(std::uint32_t a, std::uint32_t b, const std::array<ActuatedValues, 2>& at);
   static void add_to_cover(const SpaceCell& cell, const LengthRanges& lengths, LengthCover& cover);
-  std::optional<PieceIndex> piece_at(const SpaceCell& cell, const Lengths& at) const;
+  std::optional<PieceIndex> piece_at(const SpaceCell& cell, const ActuatedValues& at,
+                                     double slack = 0.0) const;
 
-  const StrutSlice& slice_;
+  ValueSpace space_;
   SingularImages& images_;
   std::vector<SpaceCell> cells_;
   std::vector<Piece> pieces_;

@@ -37,9 +37,13 @@ Interval lengths_over(const HeldSlice& slice, std::size_t i, const Leg& leg) {
 }
 
 /// Within limits.
-Interval range_of_joint(const HeldSlice& slice, std::size_t i, const Leg& leg) {
+Interval range_of_limits(const Leg& leg) {
   if (has_all_angles(leg)) return {-0.5 * full_turn, 0.5 * full_turn};
-  if (leg.actuated_by_angle()) return {leg.limits.lower, leg.limits.upper};
+  return {leg.limits.lower, leg.limits.upper};
+}
+
+Interval range_of_joint(const HeldSlice& slice, std::size_t i, const Leg& leg) {
+  if (leg.actuated_by_angle()) return range_of_limits(leg);
   const Interval lengths = lengths_over(slice, i, leg);
   const double least = std::max(leg.limits.lower, lengths.lower());
   return {least, std::max(least, std::min(leg.limits.upper, lengths.upper()))};
@@ -86,6 +90,41 @@ JointVector JointRanges::actuated(const std::array<double, 2>& values) const {
   q[static_cast<Eigen::Index>(held_.leg)] = held_.value;
   for (std::size_t i = 0; i < 2; ++i) q[static_cast<Eigen::Index>(legs_[i])] = values[i];
   return q;
+}
+
+ValueSpace value_space_of(const Manipulator& manipulator) {
+  ValueSpace space{{3, {}, {}}, {}, {}, false};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Leg& leg = manipulator.leg(i);
+    const Interval range = range_of_limits(leg);
+    space.values.lower[i] = range.lower();
+    space.values.upper[i] = range.upper();
+    space.are_angles[i] = leg.actuated_by_angle();
+    space.are_periodic[i] = has_all_angles(leg);
+  }
+  return space;
+}
+
+std::array<double, 3> values_in(const ValueSpace& space, const JointVector& actuated) noexcept {
+  std::array<double, 3> result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double value = actuated[static_cast<Eigen::Index>(i)], middle = space.values.center(i);
+    result[i] = space.are_angles[i] ? middle + std::remainder(value - middle, 2.0 * pi) : value;
+  }
+  return result;
+}
+
+std::string unit_of(const ValueSpace& space) {
+  switch (std::count(space.are_angles.begin(), space.are_angles.end(), true)) {
+    case 0:
+      return "m^3";
+    case 1:
+      return "m^2 rad";
+    case 2:
+      return "m rad^2";
+    default:
+      return "rad^3";
+  }
 }
 
 }  // namespace parallel_aspects

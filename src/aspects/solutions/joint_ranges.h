@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_JOINT_RANGES_H
 
 #include "aspects/cusps/held_slice.h"
+#include "aspects/images/singular_images.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
@@ -47,6 +48,16 @@ class JointRanges {
   std::array<bool, 2> are_angles_{}, are_periodic_{};
   Box values_{2, {}, {}};
 };
+
+/// The values of all joints of a robot of three legs whose slides and struts have limits on both sides.
+ValueSpace value_space_of(const Manipulator& manipulator);
+
+/// Actuated values as such a space has them, angles moved by whole turns to where they are in it if they can
+/// be.
+std::array<double, 3> values_in(const ValueSpace& space, const JointVector& actuated) noexcept;
+
+/// "rad^3", "m^3", "m^2 rad" or "m rad^2".
+std::string unit_of(const ValueSpace& space);
 
 }  // namespace parallel_aspects
 

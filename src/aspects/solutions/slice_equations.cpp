@@ -19,12 +19,13 @@ PairOverBox pair_over(const LegsAt& legs, const SlicePlace& place) {
   return pair;
 }
 
-PairOverBox SliceEquations::over(const Box& box, const std::array<Interval, 2>& values) const {
-  return pair_over({slice_.leg_at(0, values[0]), slice_.leg_at(1, values[1])}, slice_.place(box));
+PairOverBox SliceEquations::at(const Box& box, const ActuatedValues& values) const {
+  return about(box, values, 0.0);
 }
 
-PairOverBox SliceEquations::at(const Box& box, const ActuatedValues& values) const {
-  return over(box, {values[0], values[1]});
+PairOverBox SliceEquations::about(const Box& box, const ActuatedValues& values, double slack) const {
+  const Interval off(-slack, slack);
+  return pair_over({slice_.leg_at(0, values[0] + off), slice_.leg_at(1, values[1] + off)}, slice_.place(box));
 }
 
 // In the middle of the box g(m + t h) is  g(m) + t h g'  with g' of all values between.

@@ -23,11 +23,9 @@ class SliceEquations : public SolutionEquations {
   explicit SliceEquations(const HeldSlice& slice) noexcept : slice_(slice) {}
 
   PairOverBox at(const Box& box, const ActuatedValues& values) const override;
+  PairOverBox about(const Box& box, const ActuatedValues& values, double slack) const override;
   std::optional<PairOverBox> between(const Box& box, const ActuatedValues& from,
                                      const ActuatedValues& to) const override;
-
-  /// For all values in these ranges, without a drift.
-  PairOverBox over(const Box& box, const std::array<Interval, 2>& values) const;
 
  private:
   const HeldSlice& slice_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/solutions/solution_regions.h"
 
-#include "aspects/solutions/solution_search.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -31,17 +29,17 @@ std::vector<SolutionSet> gather(ActuatedSpace& space) {
   return result;
 }
 
-void look_inside(const StrutSlice& slice, const ActuatedSpace& space, SolutionSet& set) {
+void look_inside(const SolveAt& solve, const ActuatedSpace& space, SolutionSet& set) {
   set.largest = *std::max_element(set.pieces.begin(), set.pieces.end(), [&](PieceIndex a, PieceIndex b) {
     return space.pieces()[a].measure < space.pieces()[b].measure;
   });
   set.inside = space.point_of(set.largest);
-  set.solutions = find_all_solutions(slice, set.inside);
+  set.solutions = solve(set.inside);
 }
 
 }  // namespace
 
-std::vector<SolutionSet> find_solution_sets(const StrutSlice& slice, ActuatedSpace& space,
+std::vector<SolutionSet> find_solution_sets(const SolveAt& solve, ActuatedSpace& space,
                                             const MapControl& control, double least_share) {
   assert_rounding_upward();
   std::vector<SolutionSet> sets = gather(space);
@@ -49,7 +47,7 @@ std::vector<SolutionSet> find_solution_sets(const StrutSlice& slice, ActuatedSpa
                    [](const SolutionSet& a, const SolutionSet& b) { return a.measure > b.measure; });
   const double least = least_share * space.cells()[0].box.measure();
   for (SolutionSet& set : sets)
-    if (set.measure >= least && !is_cancelled(control)) look_inside(slice, space, set);
+    if (set.measure >= least && !is_cancelled(control)) look_inside(solve, space, set);
   return sets;
 }
 

@@ -2,7 +2,6 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_SOLUTION_REGIONS_H
 #define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_SOLUTION_REGIONS_H
 
-#include "aspects/cusps/strut_slice.h"
 #include "aspects/solutions/actuated_space.h"
 #include "parallel_aspects/aspects/map_control.h"
 
@@ -11,20 +10,20 @@
 
 namespace parallel_aspects {
 
-/// A connected set of pieces of the plane or space of lengths: the number of solutions is the same all over
-/// it.
+/// A connected set of pieces of the plane or space of actuated values: the number of solutions is the same
+/// all over it.
 struct SolutionSet {
   std::vector<PieceIndex> pieces;             ///< by index
   PieceIndex largest = 0;                     ///< of them
-  Lengths inside{};                           ///< in its largest piece [m]
+  ActuatedValues inside{};                    ///< in its largest piece [m or rad]
   std::optional<std::vector<Box>> solutions;  ///< all there are inside; nothing where that is not proved
   double measure = 0.0;                       ///< a lower bound [m^2 or m^3]
   double estimate = 0.0;                      ///< the same with its share of what is unknown [m^2 or m^3]
 };
 
-/// The largest first. In sets that are a smaller share of all lengths than that nobody looks for solutions.
+/// The largest first. In sets that are a smaller share of all values than that nobody looks for solutions.
 /// Needs a live `RoundingUpward`.
-std::vector<SolutionSet> find_solution_sets(const StrutSlice& slice, ActuatedSpace& space,
+std::vector<SolutionSet> find_solution_sets(const SolveAt& solve, ActuatedSpace& space,
                                             const MapControl& control, double least_share = 0.0);
 
 }  // namespace parallel_aspects

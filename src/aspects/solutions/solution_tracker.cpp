@@ -21,6 +21,9 @@ constexpr double longest_tracking_step = 0.3;
 constexpr double tracking_inflation = 0.3;
 constexpr int newton_steps = 5, tracking_contractions = 2;
 
+// A box of a solution that is widened is so much larger at each end [half turns].
+constexpr double widening_margin = 1e-9;
+
 ActuatedValues between(const ActuatedValues& from, const ActuatedValues& to, double t) {
   if (t >= 1.0) return to;
   ActuatedValues at;
@@ -88,6 +91,18 @@ Angles SolutionTracker::approximated(const Box& box, const ActuatedValues& value
     if (std::abs(move[0]) + std::abs(move[1]) < least_tracking_box) break;
   }
   return x;
+}
+
+std::optional<Box> SolutionTracker::widened(const Box& box, const ActuatedValues& values,
+                                            double slack) const {
+  Box about = box;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double margin = widening_margin + box.width(i);
+    about.lower[i] -= margin;
+    about.upper[i] += margin;
+  }
+  if (krawczyk_test(about, equations_.about(about, values, slack)).zeros != Zeros::one) return std::nullopt;
+  return about;
 }
 
 std::optional<std::size_t> SolutionTracker::find(const Box& box, const std::vector<Box>& boxes) {

@@ -25,6 +25,10 @@ class SolutionTracker {
   /// fails.
   std::optional<Box> follow(const Box& box, const ActuatedValues& from, const ActuatedValues& to) const;
 
+  /// A box about the solution in `box` that has exactly one solution for these values, and for any that are
+  /// off by so much, such as the same in another turn, by rounding. Nothing where that is not proved.
+  std::optional<Box> widened(const Box& box, const ActuatedValues& values, double slack) const;
+
   /// Which of `boxes`, which hold one solution each and together all there are for some values, has the one
   /// in `box`.
   static std::optional<std::size_t> find(const Box& box, const std::vector<Box>& boxes);

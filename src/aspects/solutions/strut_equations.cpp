@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/solutions/strut_equations.h"
 
-#include "aspects/solutions/solution_search.h"
+#include "aspects/solutions/all_zeros.h"
 #include "interval/scalar_range.h"
 
 #include <algorithm>
@@ -65,8 +65,39 @@ PairOverBox pair_in_family(const StrutSlice& family, const Box& box, const Lengt
 
 }  // namespace
 
+std::array<Interval, 2> values_at(const Lengths& lengths) noexcept {
+  return {Interval(0.5) * square(Interval(lengths[0])), Interval(0.5) * square(Interval(lengths[1]))};
+}
+
+PairOverBox pair_over(const StrutSlice& slice, const Box& box, const std::array<Interval, 2>& values) {
+  const bool is_point = box.width(0) == 0.0 && box.width(1) == 0.0;
+  const SliceTurns center(SliceCenter(box).at), over = is_point ? center : SliceTurns(ranges_of(box));
+  PairOverBox pair;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Jet<1> slopes = slice.half_square<1>(i, over);
+    pair.center[i] = (is_point ? slopes.value() : slice.half_square<0>(i, center).value()) - values[i];
+    pair.jacobian[i] = {slopes.at(1, 0), slopes.at(0, 1)};
+  }
+  return pair;
+}
+
+std::optional<std::vector<Box>> find_all_solutions(const StrutSlice& slice, const Lengths& lengths) {
+  assert_rounding_upward();
+  const StrutSlice at = slice.at(lengths);
+  const std::array<Interval, 2> values = values_at(lengths);
+  return find_all_zeros([&](const Box& box) { return pair_over(at, box, values); });
+}
+
 PairOverBox StrutEquations::at(const Box& box, const ActuatedValues& lengths) const {
   return pair_over(slice_.at(lengths), box, values_at(lengths));
+}
+
+PairOverBox StrutEquations::about(const Box& box, const ActuatedValues& lengths, double slack) const {
+  std::array<Interval, 3> values;
+  for (std::size_t i = 0; i < 3; ++i)
+    values[i] = Interval(0.5) * square(Interval(lengths[i]) + Interval(-slack, slack));
+  const StrutSlice slice = slice_.dimension() == 2 ? slice_ : slice_.with_half_square(values[2]);
+  return pair_over(slice, box, {values[0], values[1]});
 }
 
 std::optional<PairOverBox> StrutEquations::between(const Box& box, const ActuatedValues& from,

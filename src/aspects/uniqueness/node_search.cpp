@@ -2,7 +2,7 @@
 #include "aspects/uniqueness/node_search.h"
 
 #include "aspects/cusps/injective_boxes.h"
-#include "aspects/cusps/singular_images.h"
+#include "aspects/images/strut_images.h"
 #include "aspects/zeros/krawczyk.h"
 #include "interval/scalar_range.h"
 
@@ -224,11 +224,11 @@ class NodeSearch {
   bool divide(Part a, Part b) {
     if (width_of(images_.box(a)) < width_of(images_.box(b))) std::swap(a, b);
     if (images_.is_smallest(a)) return false;
-    const std::vector<Part> parts = images_.parts(a);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
+    const SingularImages::Parts parts = images_.parts(a);
+    for (Part i = 0; i < parts.count; ++i) {
       if (a != b) pairs_.emplace_back(parts[i], b);
       if (a == b)
-        for (std::size_t k = i; k < parts.size(); ++k) pairs_.emplace_back(parts[i], parts[k]);
+        for (Part k = i; k < parts.count; ++k) pairs_.emplace_back(parts[i], parts[k]);
     }
     return true;
   }
@@ -261,7 +261,7 @@ class NodeSearch {
 
   const StrutSlice& slice_;
   const MapControl& control_;
-  SingularImages images_;
+  StrutImages images_;
   InjectiveBoxes injective_;
   std::vector<PartPair> pairs_;           // of this turn
   std::priority_queue<Waiting> waiting_;  // each for a turn

@@ -18,7 +18,7 @@ void add_component(BasicComponent component, SolutionNumbers& result) {
   auto region = std::find_if(result.regions.begin(), result.regions.end(),
                              [&](const SolutionRegion& each) { return each.solutions >= solutions; });
   if (region == result.regions.end() || region->solutions != solutions)
-    region = result.regions.insert(region, {solutions, 0.0, 0.0, 0.0});
+    region = result.regions.insert(region, {{}, solutions, 0.0, 0.0, 0.0});
   region->measure += component.measure;
   region->measure_lower += component.measure_lower;
   result.basic_components.push_back(std::move(component));

@@ -131,7 +131,9 @@ SolutionNumbers find_solution_numbers(const Manipulator& manipulator,
   result.has_regions = true;
   result.region_unit = unit;
   grid->add_to(result);
-  result.component_of = [grid](const JointVector& q) { return grid->component_at(q); };
+  result.component_of = [grid](const JointVector& q, const WorkingMode& /*all*/) {
+    return grid->component_at(q);
+  };
   return result;
 }
 

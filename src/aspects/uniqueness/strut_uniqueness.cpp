@@ -3,11 +3,12 @@
 
 #include "aspects/cusps/cusp_search.h"
 #include "aspects/cusps/planar_held_slice.h"
-#include "aspects/cusps/singular_images.h"
+#include "aspects/images/strut_images.h"
 #include "aspects/regions/basic_regions.h"
 #include "aspects/regions/uniqueness_domains.h"
 #include "aspects/solutions/actuated_space.h"
 #include "aspects/solutions/solution_regions.h"
+#include "aspects/solutions/strut_equations.h"
 #include "aspects/solutions/strut_poses.h"
 #include "aspects/uniqueness/node_search.h"
 #include "aspects/uniqueness/number_table.h"
@@ -52,16 +53,22 @@ StrutSlice struts_of(const AspectMap& map) {
 struct DividedStruts {
   StrutSlice struts;
   StrutPoses poses;
-  SingularImages images;
+  StrutEquations equations;
+  StrutImages images;
   ActuatedSpace space;
   std::vector<SolutionSet> sets;
 
   DividedStruts(const AspectMap& map, const Division& division, const MapControl& control)
       : struts(struts_of(map)),
         poses(*map.manipulator(), struts, map.slice() ? map.slice()->joint->value : 0.0),
+        equations(struts),
         images(struts),
-        space(struts, images, division.unknown_share, control, division.most_cells),
-        sets(find_solution_sets(struts, space, control, division.least_set_share)) {}
+        space(images, division.unknown_share, control, division.most_cells),
+        sets(find_solution_sets(solver(), space, control, division.least_set_share)) {}
+
+  SolveAt solver() const {
+    return [this](const Lengths& lengths) { return find_all_solutions(struts, lengths); };
+  }
 };
 
 /// With the basic component of each piece.
@@ -95,7 +102,7 @@ struct DividedRegions : DividedStruts {
       : DividedStruts(*made, division_for_regions(*made, most_cells), part_of(control, 0.0, 0.3)),
         map(std::move(made)),
         atlas(
-            struts, space, sets,
+            equations, solver(), space, sets,
             [this](const Box& box, const Lengths& at) { return aspect_at(*map, poses.pose(box, at)); },
             part_of(control, 0.3, 1.0)) {}
 
@@ -153,7 +160,9 @@ void find_numbers(std::size_t most_cells, const MapControl& control, Uniqueness&
     for (const PieceIndex piece : set.pieces) numbers->component_of[piece] = result.basic_components.size();
     add_component(component_of_set(*numbers, set), result);
   }
-  result.component_of = [numbers](const JointVector& q) { return numbers->component_at(q); };
+  result.component_of = [numbers](const JointVector& q, const WorkingMode& /*the only one*/) {
+    return numbers->component_at(q);
+  };
   set_unknown(unknown, result);
 }
 

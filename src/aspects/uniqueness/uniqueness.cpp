@@ -4,6 +4,7 @@
 #include "aspects/cusps/cusp_search.h"
 #include "aspects/cusps/held_slice.h"
 #include "aspects/uniqueness/cusp_aspect.h"
+#include "aspects/uniqueness/mode_uniqueness.h"
 #include "aspects/uniqueness/slice_uniqueness.h"
 #include "aspects/uniqueness/solution_numbers.h"
 #include "aspects/uniqueness/strut_uniqueness.h"
@@ -110,8 +111,10 @@ void look_into(const Manipulator& manipulator, const UniquenessOptions& options,
     find_regions_of_struts(most_cells, control, result);
   } else if (has_elbows(manipulator)) {
     result.domains_complete = false;
-  } else {
+  } else if (result.map->slice()) {
     find_regions_of_slice(part_of(control, 0.3, 1.0), result);
+  } else {
+    find_regions_of_modes(most_cells, control, result);
   }
 }
 

@@ -39,30 +39,35 @@ std::string find_tolerance_problem(const Manipulator& manipulator, const std::st
          " has some; leave them out.";
 }
 
-/// The struts that may become as long as they like.
-std::string struts_without_limit(const Manipulator& manipulator) {
+/// The struts and slides whose joint has no limits on both sides. Of a strut the lower end has one, no
+/// length.
+std::string lengths_without_limit(const Manipulator& manipulator) {
   std::string text;
-  for (const Leg& leg : manipulator.legs())
-    if (!std::isfinite(leg.has_branch(1) ? leg.limits.upper : leg.limits.lower))
+  for (const Leg& leg : manipulator.legs()) {
+    const bool is_strut = leg.kind().type == LegType::strut;
+    const bool lower = std::isfinite(leg.limits.lower) || (is_strut && leg.has_branch(1));
+    const bool upper = std::isfinite(leg.limits.upper) || (is_strut && leg.has_branch(-1));
+    if (!leg.actuated_by_angle() && !(lower && upper))
       text += (text.empty() ? "" : ", ") + in_quotes(leg.actuated_joint);
+  }
   return text;
 }
 
-/// Of all poses: three struts, none of which may become as long as it likes.
+/// Of all poses: no strut or slide may go as far as it likes.
 std::string find_problem_without_slice(const Manipulator& manipulator) {
-  if (!has_struts_alone(manipulator)) return find_slice_to_hold(manipulator);
-  const std::string unlimited = struts_without_limit(manipulator);
+  if (has_elbows(manipulator)) return find_slice_to_hold(manipulator);
+  const std::string unlimited = lengths_without_limit(manipulator);
   if (unlimited.empty()) return "";
   return "All poses of " + in_quotes(manipulator.name()) +
-         " are looked at within limits of its struts, but nothing limits how long " + unlimited +
-         " may become. Give limits, or a slice that holds an actuated joint, such as " +
+         " are looked at within limits of its struts and slides, but nothing limits how far " + unlimited +
+         " may go. Give limits, or a slice that holds an actuated joint, such as " +
          example_of_held_joint(manipulator) + ".";
 }
 
 std::string find_problem_of_slice(const Manipulator& manipulator, const MapSlice& slice) {
   if (!slice.joint)
     return find_slice_to_hold(manipulator) +
-           (has_struts_alone(manipulator) ? " All poses are looked at without a slice." : "");
+           (has_elbows(manipulator) ? "" : " All poses are looked at without a slice.");
   return find_held_joint_problem(manipulator, *slice.joint);
 }
 
@@ -102,6 +107,10 @@ bool has_one_solution_a_sign(TaskSpace space) noexcept {
       return false;
   }
   return false;
+}
+
+bool has_lengths_without_limit(const Manipulator& manipulator) {
+  return !lengths_without_limit(manipulator).empty();
 }
 
 bool has_struts_alone(const Manipulator& manipulator) noexcept {

@@ -20,6 +20,9 @@ bool has_one_solution_a_sign(TaskSpace space) noexcept;
 /// Whether every leg is a strut.
 bool has_struts_alone(const Manipulator& manipulator) noexcept;
 
+/// Whether a strut or a slide has no limits on both sides.
+bool has_lengths_without_limit(const Manipulator& manipulator);
+
 /// Whether a leg has an actuated elbow.
 bool has_elbows(const Manipulator& manipulator) noexcept;
 

@@ -22,11 +22,11 @@ KnownDomains before_the_map(const Manipulator& manipulator, bool enabled) {
     return {UniquenessState::NONE,
             "The node looks at all poses of the robot, and of these they are not known. " + problem, nullptr};
   if (!enabled)
-    return {UniquenessState::OFF,
-            "They are not computed; set uniqueness/enabled, which takes some 40 s of processor time and 1.2 "
-            "GB of "
-            "memory once the map is complete.",
-            nullptr};
+    return {
+        UniquenessState::OFF,
+        "They are not computed; set uniqueness/enabled, which takes up to some minutes of processor time and "
+        "some GB of memory once the map is complete.",
+        nullptr};
   return {UniquenessState::WAITING, "They are computed after the map.", nullptr};
 }
 

@@ -60,10 +60,10 @@ bool DomainReport::look(const TrackedState& tracked, const TrackingStart& start)
   if (!anew && tracked.time == time_) return false;
   if (anew) {
     watch_->restart();
-    watch_->update(start.pose, start.time);
+    watch_->update(start.pose, start.mode, start.time);
   }
   time_ = tracked.time;
-  const DomainState& found = watch_->update(tracked.pose, tracked.time);
+  const DomainState& found = watch_->update(tracked.pose, tracked.mode, tracked.time);
   state_ = message_of(found, start.epoch + ros::Duration(tracked.time));
   transition_.reset();
   if (found.changed) transition_ = transition_of(found, tracked, start.epoch);

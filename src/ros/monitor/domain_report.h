@@ -23,6 +23,7 @@ namespace parallel_aspects {
 struct TrackingStart {
   std::uint64_t number = 0;  ///< from 1, of each start another
   Pose pose;                 ///< of the robot then
+  WorkingMode mode;          ///< likewise
   double time = 0.0;         ///< of the sample, as the tracker counts it [s]
   ros::Time epoch;           ///< what the tracker's times count from
 };

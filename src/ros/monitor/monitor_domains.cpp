@@ -21,7 +21,7 @@ void RobotMonitor::note_start(bool stated) {
   const TrackedState& tracked = tracker_.state();
   if (!tracked.followed()) return tracking_start_.reset();
   if (tracking_start_ && !stated) return;
-  tracking_start_ = TrackingStart{++tracking_starts_, tracked.pose, tracked.time, epoch_};
+  tracking_start_ = TrackingStart{++tracking_starts_, tracked.pose, tracked.mode, tracked.time, epoch_};
   uniqueness_ = unknown_domains(uniqueness_.known);
 }
 

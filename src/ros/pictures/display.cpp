@@ -30,6 +30,14 @@ ros::Publisher latched(ros::NodeHandle& nh, const std::string& topic) {
   return nh.advertise<visualization_msgs::MarkerArray>(topic, 1, true);
 }
 
+// A cusp is one whichever actuated joint is held: at the same pose three solutions meet. So one joint does.
+// With several working modes it takes minutes.
+CuspCurves cusps_to_draw(const Manipulator& robot, const MapControl& control) {
+  if (working_modes(robot).size() > 1) return {};
+  const JointLimits& limits = robot.leg(0).limits;
+  return find_cusp_curves(robot, {0, limits.lower, limits.upper}, control);
+}
+
 }  // namespace
 
 Display::Display(const NodeSetup& setup, ros::NodeHandle private_nh)
@@ -72,17 +80,18 @@ void Display::set_map(const std::shared_ptr<const AspectMap>& map) {
   mapped_ = true;
 }
 
-// A cusp is one whichever actuated joint is held: at the same pose three solutions meet. So one joint does.
 void Display::set_domains(const std::shared_ptr<const Uniqueness>& uniqueness, const MapControl& control) {
   if (!uniqueness) return uniqueness_markers_.publish(MarkerBatch().take());
   const Manipulator& robot = *uniqueness->map->manipulator();
-  const JointLimits& limits = robot.leg(0).limits;
-  const CuspCurves cusps = find_cusp_curves(robot, {0, limits.lower, limits.upper}, control);
+  const CuspCurves cusps = cusps_to_draw(robot, control);
   const auto markers = domain_markers(*uniqueness, cusps, scene_, control);
   if (is_cancelled(control)) return;
   uniqueness_markers_.publish(markers);
-  ROS_INFO_STREAM("Uniqueness domains: drawn on " << uniqueness_markers_.getTopic() << " with "
-                                                  << cusps.curves.size() << " curves of cusps.");
+  ROS_INFO_STREAM("Uniqueness domains: drawn on "
+                  << uniqueness_markers_.getTopic()
+                  << (working_modes(robot).size() > 1
+                          ? ", without cusps."
+                          : " with " + std::to_string(cusps.curves.size()) + " curves of cusps."));
 }
 
 void Display::set_picture(const std::shared_ptr<const Picture>& picture) {

@@ -29,10 +29,12 @@ constexpr int cells = 48;                         // of the grid, along each axi
 
 using Cell = std::array<int, 3>;
 
-/// Poses in a grid over all aspects of a map, each with its basic region.
+/// Poses in a grid over all aspects of a map, each with its basic region in a working mode.
 class RegionGrid {
  public:
-  RegionGrid(const Uniqueness& uniqueness, const MapControl& control);
+  RegionGrid(const Uniqueness& uniqueness, const WorkingMode& mode, const MapControl& control);
+
+  const WorkingMode& mode() const noexcept { return mode_; }
 
   /// The middles of the cells of a region of which a neighbour is in no region, or in another [m, m, rad].
   std::vector<Vector3d> outermost(std::size_t region) const;
@@ -50,6 +52,7 @@ class RegionGrid {
   template <class Visit>
   static void visit(const Visit& visit_cell);
 
+  WorkingMode mode_;
   AlignedBox3d bounds_;
   std::vector<std::int32_t> regions_;  // -1 for none
 };
@@ -71,12 +74,12 @@ void RegionGrid::visit(const Visit& visit_cell) {
       for (cell[0] = 0; cell[0] < cells; ++cell[0]) visit_cell(cell);
 }
 
-RegionGrid::RegionGrid(const Uniqueness& uniqueness, const MapControl& control)
-    : bounds_(bounds_of(*uniqueness.map)), regions_(cells * cells * cells, -1) {
+RegionGrid::RegionGrid(const Uniqueness& uniqueness, const WorkingMode& mode, const MapControl& control)
+    : mode_(mode), bounds_(bounds_of(*uniqueness.map)), regions_(cells * cells * cells, -1) {
   visit([&](const Cell& cell) {
     if (is_cancelled(control)) return;
     const Vector3d at = middle(cell);
-    if (const auto region = uniqueness.locate(Pose::planar(at.x(), at.y(), at.z())))
+    if (const auto region = uniqueness.locate(Pose::planar(at.x(), at.y(), at.z()), mode))
       regions_[index(cell)] = static_cast<std::int32_t>(*region);
   });
 }
@@ -225,15 +228,16 @@ visualization_msgs::MarkerArray domain_markers(const Uniqueness& uniqueness, con
   const AlignedBox3d bounds = bounds_of(*uniqueness.map);
   const AlignedBox2d positions(bounds.min().head<2>(), bounds.max().head<2>());
   const DomainLayout layout(*uniqueness.map->manipulator(), scene, positions, aspects.size());
-  const RegionGrid grid(uniqueness, control);
+  std::optional<RegionGrid> grid;
   MarkerBatch batch;
   for (std::size_t box = 0; box < aspects.size() && !is_cancelled(control); ++box) {
+    if (!grid || grid->mode() != aspects[box].mode) grid.emplace(uniqueness, aspects[box].mode, control);
     AspectDrawing drawing(uniqueness, layout, box, aspects[box].id, batch);
     drawing.draw_frame();
     std::size_t hue = 0;
     for (std::size_t region = 0; region < uniqueness.basic_regions.size(); ++region)
       if (uniqueness.basic_regions[region].aspect == aspects[box].id)
-        drawing.draw_region(region, hue++, grid);
+        drawing.draw_region(region, hue++, *grid);
     drawing.draw_cusps(cusps);
   }
   return batch.take();

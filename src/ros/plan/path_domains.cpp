@@ -17,7 +17,7 @@ std::set<std::size_t> regions_along(const PlannedPath& path, const PoseBetween& 
     for (int k = 0; k <= poses_of_a_segment; ++k) {
       const double t = static_cast<double>(k) / poses_of_a_segment;
       const Pose pose = between(path.points[i].pose, path.points[i + 1].pose, t);
-      if (const auto region = uniqueness.locate(pose)) regions.insert(*region);
+      if (const auto region = uniqueness.locate(pose, path.points[i].mode)) regions.insert(*region);
     }
   return regions;
 }

@@ -215,7 +215,7 @@ class UniquenessDrawing {
   std::size_t number_in(const Eigen::AlignedBox2d& cell,
                         const std::function<JointVector(const Vector2d&)>& actuated) const {
     const auto number_at = [&](const Vector2d& at) {
-      const auto component = uniqueness_.component_of(actuated(at));
+      const auto component = uniqueness_.component_at(actuated(at));
       return component ? uniqueness_.basic_components[*component].solutions.size() : 0;
     };
     if (const std::size_t middle = number_at(cell.center()); middle > 0) return middle;

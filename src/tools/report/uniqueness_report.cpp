@@ -5,6 +5,7 @@
 #include "tools/report/bounds_report.h"
 #include "tools/report/slice_report.h"
 #include "tools/report/text_table.h"
+#include "tools/report/uniqueness_json.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -19,95 +20,6 @@ namespace parallel_aspects::tools {
 namespace {
 
 using nlohmann::json;
-
-json json_component(const AspectMap& map, const Aspect& aspect) {
-  return {{"id", aspect.id},
-          {"working_mode", aspect.mode.signs()},
-          {"determinant_sign", aspect.determinant_sign},
-          {"measure", aspect.measure},
-          {"unit", map.unit()},
-          {"deepest", json_pose(map.manipulator()->task_space(), aspect.deepest)},
-          {"unresolved_with", aspect.unresolved_with}};
-}
-
-json json_cusp(const Manipulator& robot, const Cusp& cusp) {
-  return {{"actuated", json_numbers(cusp.actuated)},
-          {"working_mode", cusp.mode.signs()},
-          {"pose", json_pose(robot.task_space(), cusp.pose)},
-          {"proved", true},
-          {"accuracy", cusp.accuracy},
-          {"component", cusp.aspect}};
-}
-
-json json_node(const Manipulator& robot, const SolutionNode& node) {
-  return {
-      {"actuated", json_numbers(node.actuated)},
-      {"poses", {json_pose(robot.task_space(), node.poses[0]), json_pose(robot.task_space(), node.poses[1])}},
-      {"proved", true},
-      {"accuracy", node.accuracy}};
-}
-
-json json_region(const SolutionRegion& region, const std::string& unit) {
-  return {{"solutions", region.solutions},
-          {"measure", region.measure},
-          {"measure_lower", region.measure_lower},
-          {"measure_upper", region.measure_upper},
-          {"unit", unit}};
-}
-
-json json_basic_component(const Manipulator& robot, const BasicComponent& component,
-                          const std::string& unit) {
-  json poses = json::array();
-  for (const Pose& pose : component.solutions) poses.push_back(json_pose(robot.task_space(), pose));
-  return {{"actuated", json_numbers(component.inside)},
-          {"solutions", component.solutions.size()},
-          {"poses", poses},
-          {"components", component.aspects},
-          {"measure", component.measure},
-          {"measure_lower", component.measure_lower},
-          {"unit", unit}};
-}
-
-json json_numbers_of_solutions(const Manipulator& robot, const SolutionNumbers& numbers) {
-  json object = {{"regions", json::array()},
-                 {"measure_unknown", numbers.has_regions ? json(numbers.measure_unknown) : json()},
-                 {"basic_components", json::array()}};
-  for (const SolutionRegion& region : numbers.regions)
-    object["regions"].push_back(json_region(region, numbers.region_unit));
-  for (const BasicComponent& component : numbers.basic_components)
-    object["basic_components"].push_back(json_basic_component(robot, component, numbers.region_unit));
-  return object;
-}
-
-bool has_modes(const Manipulator& robot) { return working_modes(robot).size() > 1; }
-
-/// Index of the basic component that a basic region lies over; nothing where that is not proved, or where
-/// basic components are of several working modes at once and a region lies over more than one.
-std::optional<std::size_t> component_below(const Uniqueness& uniqueness, const BasicRegion& region) {
-  if (has_modes(*uniqueness.map->manipulator())) return std::nullopt;
-  return uniqueness.component_of ? uniqueness.component_of(region.actuated) : std::nullopt;
-}
-
-json json_basic_region(const Uniqueness& uniqueness, const BasicRegion& region) {
-  const auto below = component_below(uniqueness, region);
-  return {{"component", region.aspect},
-          {"pose", json_pose(uniqueness.map->manipulator()->task_space(), region.pose)},
-          {"over", region.over},
-          {"basic_component", below ? json(*below) : json()},
-          {"actuated", json_numbers(region.actuated)},
-          {"unique", region.is_unique},
-          {"measure_lower", region.measure_lower},
-          {"unit", uniqueness.region_unit}};
-}
-
-json json_domain(const UniquenessDomain& domain, const std::string& unit) {
-  json object = {{"component", domain.aspect}, {"whole_component", domain.whole_aspect}};
-  if (domain.whole_aspect) return object;
-  object["basic_regions"] = domain.basic_regions;
-  object["measure_lower"] = domain.measure_lower;
-  object["unit"] = unit;
-  return object;
-}
 
 /// What the map is of: aspects, or components of a slice.
 std::string part_name(const AspectMap& map, const std::string& before) {
@@ -200,16 +112,30 @@ std::string nodes_text(const Uniqueness& uniqueness) {
   return text + table.text();
 }
 
+/// With a column for the working mode in front, where numbers are those of each.
+std::vector<std::string> titles_with_mode(const SolutionNumbers& numbers, std::vector<std::string> titles) {
+  if (numbers.by_mode) titles.insert(titles.begin(), "working mode");
+  return titles;
+}
+
+std::vector<std::string> cells_with_mode(const WorkingMode& mode, std::vector<std::string> cells) {
+  if (!mode.signs().empty()) cells.insert(cells.begin(), to_string(mode));
+  return cells;
+}
+
 std::string regions_text(const SolutionNumbers& uniqueness) {
   if (!uniqueness.has_regions) return "";
   const std::string& unit = uniqueness.region_unit;
-  TextTable table({">solutions", ">measure [" + unit + "]", ">at least", ">at most"});
+  TextTable table(
+      titles_with_mode(uniqueness, {">solutions", ">measure [" + unit + "]", ">at least", ">at most"}));
   for (const SolutionRegion& region : uniqueness.regions)
-    table.add({std::to_string(region.solutions), shown_briefly(region.measure),
-               shown_bound(region.measure_lower, Side::below),
-               shown_bound(region.measure_upper, Side::above)});
-  return "\nactuated values by their number of direct solutions, which is not proved on " +
-         shown_bound(uniqueness.measure_unknown, Side::above) + " " + unit + "\n" +
+    table.add(cells_with_mode(region.mode, {std::to_string(region.solutions), shown_briefly(region.measure),
+                                            shown_bound(region.measure_lower, Side::below),
+                                            shown_bound(region.measure_upper, Side::above)}));
+  return "\nactuated values by their number of direct solutions" +
+         std::string(uniqueness.by_mode ? " in each working mode" : "") + ", which is not proved on " +
+         shown_bound(uniqueness.measure_unknown, Side::above) + " " + unit +
+         (uniqueness.by_mode ? " over all working modes" : "") + "\n" +
          (uniqueness.regions.empty() ? "" : table.text());
 }
 
@@ -284,7 +210,7 @@ std::string basic_components_text(const Uniqueness& uniqueness) {
 
 /// The set that a region lies over: of several working modes as numbered in each.
 std::string set_below(const Uniqueness& uniqueness, const BasicRegion& region) {
-  if (has_modes(*uniqueness.map->manipulator())) return std::to_string(region.over + 1);
+  if (are_of_all_modes(uniqueness)) return std::to_string(region.over + 1);
   const auto below = component_below(uniqueness, region);
   return below ? std::to_string(*below + 1) : "?";
 }
@@ -294,7 +220,7 @@ std::string basic_regions_text(const Uniqueness& uniqueness) {
   if (!uniqueness.has_domains || uniqueness.basic_regions.empty()) return "";
   const Manipulator& robot = *uniqueness.map->manipulator();
   TextTable table({">basic region", part_name(*uniqueness.map, ">"),
-                   has_modes(robot) ? ">over set of its mode" : ">over set",
+                   are_of_all_modes(uniqueness) ? ">over set of its mode" : ">over set",
                    ">actuated values [" + uniqueness.region_unit + "], at least", "unique", "a pose of it",
                    ">domains"});
   const std::vector<std::size_t> listed = listed_of(uniqueness.basic_regions);
@@ -346,27 +272,7 @@ std::string headline(const Uniqueness& uniqueness) {
 
 Report report_uniqueness(const Uniqueness& uniqueness) {
   const AspectMap& map = *uniqueness.map;
-  json object = {{"mechanism", map.manipulator()->name()},
-                 {"task_space", std::string(name(map.manipulator()->task_space()))},
-                 {"slice", json_slice(map.slice())},
-                 {"at_most_one_solution_a_sign", uniqueness.at_most_one_a_sign},
-                 {"components", json::array()},
-                 {"cusps", json::array()},
-                 {"cusps_complete", uniqueness.cusps_complete},
-                 {"nodes", json::array()},
-                 {"nodes_complete", uniqueness.nodes_complete},
-                 {"basic_regions", json::array()},
-                 {"uniqueness_domains_complete", uniqueness.domains_complete},
-                 {"uniqueness_domains", json::array()}};
-  for (const Aspect& aspect : map.aspects()) object["components"].push_back(json_component(map, aspect));
-  for (const Cusp& cusp : uniqueness.cusps) object["cusps"].push_back(json_cusp(*map.manipulator(), cusp));
-  for (const SolutionNode& node : uniqueness.nodes)
-    object["nodes"].push_back(json_node(*map.manipulator(), node));
-  object.update(json_numbers_of_solutions(*map.manipulator(), uniqueness));
-  for (const BasicRegion& region : uniqueness.basic_regions)
-    object["basic_regions"].push_back(json_basic_region(uniqueness, region));
-  for (const UniquenessDomain& domain : uniqueness.domains)
-    object["uniqueness_domains"].push_back(json_domain(domain, uniqueness.region_unit));
+  json object = json_uniqueness(uniqueness);
   const Report constraints = report_constraints(*map.manipulator());
   object.update(constraints.json);
   return {object, headline(uniqueness) + '\n' + components_text(map) + '\n' + cusps_text(uniqueness) +

@@ -114,18 +114,19 @@ Report report_of_survey(const UniquenessArguments& arguments, const std::shared_
   return report_assembly_survey(*roadmap, *survey);
 }
 
-/// Of three struts: limits of their lengths that the robot has, and that were left out.
+/// Limits that the robot has and that were left out, though struts or slides need some.
 void refuse_all_poses(const UniquenessArguments& arguments, const Manipulator& described,
                       const Manipulator& robot, Problems& problems) {
   const std::size_t limits = index_of(ConstraintKind::actuated_limits);
   if (!described.constraint_kinds()[limits] || robot.constraint_kinds()[limits]) return;
+  if (!has_lengths_without_limit(robot)) return;
   const std::string option = arguments.constraints.without.empty() ? "--constraint" : "--no-constraint";
-  problems.push_back("All poses of '" + robot.name() + "' are looked at within limits of its struts, and " +
+  problems.push_back("All poses of '" + robot.name() + "' are looked at within limits of its joints, and " +
                      option + " takes these out; keep actuated_limits, or give --slice " +
                      example_of_held_joint(described) + ".");
 }
 
-/// The slice of SE2, or none of another task space or of all poses of three struts.
+/// The slice of SE2, or none of another task space or of all poses.
 std::optional<MapSlice> slice_of(const UniquenessArguments& arguments, const Manipulator& described,
                                  const Manipulator& robot, Problems& problems) {
   if (has_one_solution_a_sign(robot.task_space())) {
@@ -138,7 +139,7 @@ std::optional<MapSlice> slice_of(const UniquenessArguments& arguments, const Man
   if (!problems.empty()) return std::nullopt;
   if (!arguments.slice.empty()) return parse_joint_slice("--slice", robot, arguments.slice, problems);
   const std::string example = example_of_held_joint(robot);
-  if (has_struts_alone(robot))
+  if (!has_elbows(robot))
     refuse_all_poses(arguments, described, robot, problems);
   else if (!example.empty())
     problems.push_back(
@@ -210,7 +211,7 @@ Subcommand uniqueness_subcommand() {
   options.push_back({"--slice", "\"strut_1_joint=15\"",
                      "In SE2 and SO3: the actuated joint that is held, with its value [m or rad], in SO3 for "
                      "cusps and numbers of solutions; "
-                     "without it, in SE2, all poses, of three struts within limits",
+                     "without it, in SE2, all poses, where struts and slides have limits",
                      &arguments->slice});
   options.push_back(
       {"--cusps-over", "\"strut_1_joint=10:32\"",

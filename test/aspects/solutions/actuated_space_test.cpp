@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/solutions/actuated_space.h"
 
+#include "aspects/images/strut_images.h"
 #include "aspects/solutions/solution_regions.h"
+#include "aspects/solutions/strut_equations.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
@@ -34,7 +36,7 @@ struct Slice {
   Robot robot;
   MapSlice held;
   StrutSlice struts;
-  SingularImages images;
+  StrutImages images;
   ActuatedSpace space;
   std::vector<SolutionSet> sets;
 
@@ -43,8 +45,10 @@ struct Slice {
         held(test::slice_of(made, {{made->leg(0).actuated_joint, value}})),
         struts(*made, held),
         images(struts),
-        space(struts, images, 1e-4, {}),
-        sets(find_solution_sets(struts, space, {})) {}
+        space(images, 1e-4, {}),
+        sets(find_solution_sets(
+            [this](const ActuatedValues& values) { return find_all_solutions(struts, values); }, space, {})) {
+  }
 
   /// By piece; nothing where the number is not proved.
   std::map<PieceIndex, std::optional<std::size_t>> numbers() {
@@ -107,11 +111,11 @@ TEST(ActuatedSpace, HasTheNumbersOfTheDirectProblem) {
 struct Family {
   Robot robot;
   StrutSlice struts;
-  SingularImages images;
+  StrutImages images;
   ActuatedSpace space;
 
   explicit Family(const Robot& made)
-      : robot(made), struts(*made, 0), images(struts), space(struts, images, 1e-2, {}, 8000) {}
+      : robot(made), struts(*made, 0), images(struts), space(images, 1e-2, {}, 8000) {}
 };
 
 Robot within(const Robot& robot, double least, double most) {

@@ -186,7 +186,7 @@ std::optional<std::size_t> component_of(const Uniqueness& found, const Published
   for (const auto& [first, second, third] : region.points) {
     const JointVector q = Eigen::Vector3d(first, second, third).cwiseSqrt();
     EXPECT_EQ(direct(*found.map->manipulator(), q).solutions.size(), region.solutions) << q.transpose();
-    components.insert(found.component_of(q));
+    components.insert(found.component_at(q));
     EXPECT_EQ(components.size(), 1U) << q.transpose();
   }
   const std::optional<std::size_t> result = *components.begin();

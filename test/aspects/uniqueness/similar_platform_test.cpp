@@ -155,7 +155,7 @@ std::size_t compare_numbers(const SimilarTriangles& of, const Uniqueness& found,
   for (int k = 0; k < 2000; ++k) {
     JointVector q = found.basic_components.front().inside;
     for (int i = 1; i < 3; ++i) q[i] = test::uniform(random, 0.0, q[0] + 4.0 * of.circumradius());
-    const auto component = found.component_of(q);
+    const auto component = found.component_at(q);
     if (!component) continue;
     ++compared;
     EXPECT_EQ(found.basic_components[*component].solutions.size(), count_solutions(of, q)) << q.transpose();

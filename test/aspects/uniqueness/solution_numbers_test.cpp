@@ -264,7 +264,7 @@ Comparison compare_with_direct(const Robot& robot, const Held& held, const Uniqu
     const DirectResult solutions = direct(*robot, q);
     if (!solutions) continue;
     ++result.drawn[solutions.solutions.size()];
-    const auto component = found.component_of(q);
+    const auto component = found.component_at(q);
     if (!component && !solutions.solutions.empty()) ++result.unlisted;
     if (!component) continue;
     const BasicComponent& listed = found.basic_components[*component];
@@ -349,7 +349,7 @@ TEST(SolutionNumbers, AreThoseOfTheDirectProblemInSO3) {
   for (int n = 0; n < 4000; ++n) {
     const Values values = random_values(held, random);
     const DirectResult solutions = direct(*robot, held.ranges.actuated(values));
-    const auto component = found.component_of(held.ranges.actuated(values));
+    const auto component = found.component_at(held.ranges.actuated(values));
     if (!component || !solutions) continue;
     EXPECT_EQ(found.basic_components[*component].solutions.size(), solutions.solutions.size())
         << held.text(values);

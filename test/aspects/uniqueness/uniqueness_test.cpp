@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "support/robots.h"
+#include "support/shipped.h"
 #include "support/slices.h"
 #include <algorithm>
 #include <array>
@@ -172,11 +173,15 @@ TEST(Uniqueness, RefusesWhatItHasNoAnswerFor) {
   const auto problem = [](const Robot& robot, const UniquenessOptions& options) {
     return compute_uniqueness(robot, options).message;
   };
-  EXPECT_NE(problem(unlimited_three_rpr(), {}).find("nothing limits how long 'leg_"), std::string::npos);
+  EXPECT_NE(problem(unlimited_three_rpr(), {}).find("nothing limits how far 'leg_"), std::string::npos);
   UniquenessOptions options;
   options.slice = test::slice_of(test::three_rpr(), {{"phi", 0.0}});
   EXPECT_NE(problem(test::three_rpr(), options).find("holds an actuated joint"), std::string::npos);
-  EXPECT_NE(problem(test::three_rrr(), {}).find("such as \"leg_1_joint="), std::string::npos);
+  const Robot elbows = test::three_rrr_actuated_elbow();
+  EXPECT_NE(problem(elbows, {}).find("has none that can be held"), std::string::npos) << problem(elbows, {});
+  const Robot unlimited_slides = test::shipped("three_prr")->manipulator()->with_constraints({});
+  EXPECT_NE(problem(unlimited_slides, {}).find("nothing limits how far 'slider_1_joint'"), std::string::npos)
+      << problem(unlimited_slides, {});
   EXPECT_NE(problem(test::stewart(), {}).find("moves in SE3"), std::string::npos);
 }
 

@@ -104,7 +104,7 @@ int compare_numbers(const Uniqueness& uniqueness, std::mt19937_64& random, int s
   int known = 0;
   for (int i = 0; i < samples; ++i) {
     const JointVector q = random_values(robot, random);
-    const auto index = uniqueness.component_of(q);
+    const auto index = uniqueness.component_at(q);
     if (!index) continue;
     ++known;
     const BasicComponent& component = uniqueness.basic_components[*index];
@@ -237,8 +237,8 @@ TEST(WholeUniqueness, KeepsItsRegionOnWalks) {
       velocity += 0.3 * Eigen::Vector3d(uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0),
                                         uniform(random, -1.0, 1.0));
       const JointVector next = q + 0.03 * velocity.normalized();
-      const auto component = whole().component_of(next);
-      if (!component || component != whole().component_of(q)) {
+      const auto component = whole().component_at(next);
+      if (!component || component != whole().component_at(q)) {
         velocity = -velocity;
         continue;
       }
@@ -275,8 +275,8 @@ TEST(WholeUniqueness, SaysWhichRegionsShareADomain) {
 }
 
 TEST(WholeUniqueness, KnowsNothingOutsideOfLimits) {
-  EXPECT_FALSE(whole().component_of(Eigen::Vector3d(9.0, 20.0, 20.0)));
-  EXPECT_FALSE(whole().component_of(Eigen::Vector3d(20.0, 20.0, 33.0)));
+  EXPECT_FALSE(whole().component_at(Eigen::Vector3d(9.0, 20.0, 20.0)));
+  EXPECT_FALSE(whole().component_at(Eigen::Vector3d(20.0, 20.0, 33.0)));
   EXPECT_FALSE(whole().locate(Pose::planar(100.0, 0.0, 0.0)));
   EXPECT_FALSE(whole().locate(Pose::planar(std::nan(""), 0.0, 0.0)));
 }

@@ -202,7 +202,7 @@ TEST(DomainFinderTest, SaysWhatItCanKnow) {
   EXPECT_EQ(said("three_rpr", {}).known, UniquenessState::OFF);
   EXPECT_NE(said("three_rpr", {}).message.find("uniqueness/enabled"), std::string::npos);
   EXPECT_EQ(said("three_rpr", on).known, UniquenessState::WAITING);
-  for (const char* robot : {"three_rrr", "stewart"}) {
+  for (const char* robot : {"spherical_3rrr", "stewart"}) {
     EXPECT_EQ(said(robot, on).known, UniquenessState::NONE);
     EXPECT_FALSE(said(robot, on).message.empty());
   }

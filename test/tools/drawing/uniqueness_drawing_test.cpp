@@ -97,7 +97,7 @@ std::vector<SingularPiece> singular_pieces(const Uniqueness& uniqueness, const J
 std::optional<std::size_t> number_at(const Uniqueness& uniqueness, const Vector2d& at) {
   JointVector q(3);
   q << uniqueness.map->slice()->joint->value, at;
-  const auto component = uniqueness.component_of(q);
+  const auto component = uniqueness.component_at(q);
   if (!component) return std::nullopt;
   return uniqueness.basic_components[*component].solutions.size();
 }

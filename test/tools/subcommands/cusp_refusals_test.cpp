@@ -60,9 +60,9 @@ TEST_F(CuspRefusals, NameWhatASliceHolds) {
   const std::string names =
       "; give one of the actuated joints: slider_1_joint, slider_2_joint, slider_3_joint.";
   expect_refused(
-      {{{"uniqueness", "three_prr"},
-        "In SE2 actuated values are looked at in slices that hold an actuated joint; give --slice "
-        "\"slider_1_joint=-0.2\"."},
+      {{{"uniqueness", "three_prr", "--no-constraint", "all"},
+        "All poses of 'three_prr' are looked at within limits of its joints, and --no-constraint takes these "
+        "out; keep actuated_limits, or give --slice \"slider_1_joint=-0.2\"."},
        {{"uniqueness", "three_prr", "--slice", "slider_2_joint"},
         "--slice has 'slider_2_joint'; give one actuated joint with its value, such as "
         "\"slider_2_joint=-0.2\"."},
@@ -77,7 +77,7 @@ TEST_F(CuspRefusals, NameWhatASliceHolds) {
        {{"uniqueness", "five_bar", "--slice", "crank_1_joint=0.3"},
         "In T2 every aspect is a uniqueness domain as a whole; leave --slice out."},
        {{"uniqueness", "three_rpr", "--no-constraint", "all"},
-        "All poses of 'three_rpr' are looked at within limits of its struts, and --no-constraint takes these "
+        "All poses of 'three_rpr' are looked at within limits of its joints, and --no-constraint takes these "
         "out; keep actuated_limits, or give --slice \"strut_1_joint=19\"."}});
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/cusps/singular_images.h"
+#include "aspects/images/strut_images.h"
 
 #include "interval/scalar_range.h"
 #include "legs/rod_on_arc.h"
@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -46,16 +45,6 @@ bool may_be_singular(const Functions& over, const Functions& center, const Slice
   const Interval linear = at + d.at(1, 0) * middle.offset(0) + d.at(0, 1) * middle.offset(1) +
                           determinant_slope(over) * middle.offset(2);
   return may_vanish(linear);
-}
-
-Direction normalized(const Direction& v) {
-  const double norm = std::hypot(v[0], v[1], v[2]);
-  if (!(norm > 0.0) || !std::isfinite(norm)) return {};
-  return {v[0] / norm, v[1] / norm, v[2] / norm};
-}
-
-Direction cross(const Direction& a, const Direction& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 /// The first across the image of J, the second along it: the longer one of its columns by a and phi. In one
@@ -106,63 +95,28 @@ ImageStrip strip_of(const Functions& over, const Functions& center, const SliceC
   return strip;
 }
 
-Interval dot(const Direction& n, const ValueBox& values) noexcept {
-  return Interval(n[0]) * values[0] + Interval(n[1]) * values[1] + Interval(n[2]) * values[2];
+/// Within limits, and no longer than the slice reaches.
+ValueSpace space_of(const StrutSlice& slice) {
+  ValueSpace space{{slice.dimension(), {}, {}}, {}, {}, true};
+  Box& box = space.values;
+  for (std::size_t i = 0; i < box.dimension; ++i) {
+    const auto& [least, most] = slice.limits(i);
+    const double largest = std::min(most.upper(), slice.largest_half_square(i));
+    box.lower[i] = square_root(Interval(2.0) * least).lower();
+    box.upper[i] = std::max(box.lower[i], square_root(Interval(2.0) * Interval(largest)).upper());
+  }
+  return space;
 }
 
 }  // namespace
 
-// By the part of it along each direction of the frame, and what these leave of it.
-Interval ImageStrip::along(const std::array<double, 3>& direction) const noexcept {
-  Interval by_strip;
-  std::array<Interval, 3> rest{direction[0], direction[1], direction[2]};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Direction& f = frame[k];
-    const Interval part(direction[0] * f[0] + direction[1] * f[1] + direction[2] * f[2]);
-    by_strip += part * extents[k];
-    for (std::size_t i = 0; i < 3; ++i) rest[i] = rest[i] - part * Interval(f[i]);
-  }
-  for (std::size_t i = 0; i < 3; ++i) by_strip += rest[i] * range[i];
-  return intersection(by_strip, dot(direction, range));
-}
-
-bool ImageStrip::may_meet(const ValueBox& values) const noexcept {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (are_apart(range[i], values[i])) return false;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (are_apart(extents[k], dot(frame[k], values))) return false;
-  return true;
-}
-
-SingularImages::SingularImages(const StrutSlice& slice) : slice_(slice) {
-  assert_rounding_upward();
-  std::vector<Node> whole;
-  add(slice_.whole(), whole);
-  if (whole.empty()) nodes_.push_back({});
-}
-
-bool SingularImages::is_smallest(Node node) const noexcept {
-  return !(std::max(box(node).width(0), box(node).width(1)) > smallest_singular_box);
-}
-
-const std::vector<SingularImages::Node>& SingularImages::parts(Node node) {
-  if (!nodes_[node].divided) {
-    std::vector<Node> parts;
-    for (const Box& half : halves_of(Box(box(node)))) add_halves(half, slice_.dimension() - 1, parts);
-    nodes_[node].parts = std::move(parts);
-    nodes_[node].divided = true;
-  }
-  return nodes_[node].parts;
-}
-
-/// Halved so often.
-void SingularImages::add_halves(const Box& box, std::size_t times, std::vector<Node>& parts) {
-  if (times == 0) return add(box, parts);
-  for (const Box& half : halves_of(box)) add_halves(half, times - 1, parts);
+StrutImages::StrutImages(const StrutSlice& slice)
+    : SingularImages(space_of(slice), smallest_singular_box), slice_(slice) {
+  add_surface(slice_.whole(), 0);
 }
 
 // Of a family the rod counts as far as its end moves for as long an arc.
-std::array<Box, 2> SingularImages::halves_of(const Box& box) const {
+std::array<Box, 2> StrutImages::halves_of(const Box& box, Surface /*parallel*/) const {
   if (box.dimension == 2) return parallel_aspects::halves_of(box);
   const double rod = box.width(2) / (pi * slice_.rod().upper());
   if (!(rod > std::max(box.width(0), box.width(1)))) return parallel_aspects::halves_of(box);
@@ -171,15 +125,14 @@ std::array<Box, 2> SingularImages::halves_of(const Box& box) const {
   return halves;
 }
 
-void SingularImages::add(const Box& box, std::vector<Node>& parts) {
+std::optional<ImageStrip> StrutImages::strip_of(const Box& box, Surface /*parallel*/) const {
   const SliceCenter middle(box);
   const StrutSlice slices = slice_.over(box);
   const Functions over(slice_, slices, SliceTurns(ranges_of(box)));
   const Functions center(slice_, slice_.dimension() == 2 ? slices : slice_.with_rod(middle.rod),
                          SliceTurns(middle.at));
-  if (!may_be_singular(over, center, middle)) return;
-  parts.push_back(static_cast<Node>(nodes_.size()));
-  nodes_.push_back({box, strip_of(over, center, middle, slice_.dimension()), false, {}});
+  if (!may_be_singular(over, center, middle)) return std::nullopt;
+  return parallel_aspects::strip_of(over, center, middle, slice_.dimension());
 }
 
 }  // namespace parallel_aspects

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/report/uniqueness_report.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/shipped.h"
+#include <cstddef>
+#include <string>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+// Numbers of a robot with several working modes as a whole are those of each, and its sets as well.
+TEST(UniquenessReport, TellsTheWorkingModeOfNumbers) {
+  UniquenessOptions options;
+  options.most_cells = 4000;
+  const UniquenessResult result = compute_uniqueness(test::shipped("three_prr")->manipulator(), options);
+  ASSERT_TRUE(result) << result.message;
+  const Report report = report_uniqueness(*result.uniqueness);
+  const json& found = report.json;
+  ASSERT_FALSE(found["regions"].empty());
+  for (const json& region : found["regions"]) EXPECT_EQ(region["working_mode"].size(), 3U);
+  ASSERT_FALSE(found["basic_regions"].empty());
+  std::size_t below = 0;
+  for (const json& region : found["basic_regions"]) {
+    const int aspect = region["component"];
+    if (aspect == 0 || region["basic_component"].is_null()) continue;
+    ++below;
+    const json& component = found["basic_components"][region["basic_component"].get<std::size_t>()];
+    const auto index = static_cast<std::size_t>(aspect - 1);
+    EXPECT_EQ(component["working_mode"], found["components"][index]["working_mode"]);
+    EXPECT_EQ(component["actuated"], region["actuated"]);
+  }
+  EXPECT_GE(below, 16U);
+  EXPECT_NE(report.text.find("working mode  solutions"), std::string::npos) << report.text;
+  EXPECT_NE(report.text.find(" over all working modes\n"), std::string::npos) << report.text;
+}
+
+}  // namespace
+}  // namespace parallel_aspects::tools
