@@ -99,6 +99,37 @@ struct SmoothFamily {
   }
 };
 
+/// Ranges of the values, in the order of `SmoothFamily`; nothing where the box is too large to tell.
+using Ranges = std::array<std::optional<Interval>, 3>;
+
+Ranges ranges_over(const PlanarHeldSlice& slices, const SlicePosture& posture, const SlicePlace& at,
+                   const Interval& held) {
+  return {slices.joint_value(0, posture[0], at), slices.joint_value(1, posture[1], at), held};
+}
+
+PlanarHeldSlice held_at(PlanarHeldSlice slices, const Interval& value) noexcept {
+  slices.hold(value);
+  return slices;
+}
+
+/// The same in the middle of a box, with the values there.
+struct SmoothMiddle {
+  IntervalRow values;
+  SmoothFamily functions;
+
+  static std::optional<SmoothMiddle> make(const PlanarHeldSlice& slices, const SlicePosture& posture,
+                                          bool is_serial, const Box& box) {
+    const Interval held(box.center(2));
+    const PlanarHeldSlice slice = held_at(slices, held);
+    const SlicePlace at(std::array<double, 2>{box.center(0), box.center(1)});
+    const Ranges values = ranges_over(slice, posture, at, held);
+    const auto legs = legs_over(slice, posture, at);
+    const auto functions = legs ? SmoothFamily::make(slice, *legs, is_serial, at) : std::nullopt;
+    if (!functions || !values[0] || !values[1]) return std::nullopt;
+    return SmoothMiddle{{*values[0], *values[1], held}, *functions};
+  }
+};
+
 Direction combined(double s, const Direction& a, double t, const Direction& b) {
   return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
 }
@@ -110,9 +141,8 @@ double length_of(const Direction& a) { return std::hypot(a[0], a[1], a[2]); }
 /// What of a box of a family is singular, and the strip about its image.
 class SingularPart {
  public:
-  SingularPart(const Box& box, const IntervalRow& middle, const SmoothFamily& over,
-               const SmoothFamily& center)
-      : box_(box), middle_(middle), over_(over), center_(center) {}
+  SingularPart(const Box& box, const SmoothFamily& over, const SmoothMiddle& middle)
+      : box_(box), over_(over), center_(middle.functions), middle_(middle.values) {}
 
   bool may_be_there() const {
     Interval value = center_.f.value;
@@ -121,20 +151,9 @@ class SingularPart {
   }
 
   ImageStrip strip(bool is_serial) const {
-    const Direction a = center_.column(0), phi = center_.column(1), held = center_.column(2);
-    Direction along = normalized(phi), other = held;
-    double multiplier = 0.0;
-    if (is_serial) {
-      const double by_a = middle_of(center_.f.gradient[0]), by_held = middle_of(center_.f.gradient[2]);
-      other = combined(-by_held, a, by_a, held);
-    } else if (length_of(a) > length_of(phi)) {
-      along = normalized(a);
-    }
-    const Direction normal = normalized(cross(other, along));
-    if (is_serial) multiplier = multiplier_of(normal);
     ImageStrip strip;
-    strip.frame = {normal, along, cross(normal, along)};
-    strip.extents[0] = extent(normal, multiplier);
+    strip.frame = is_serial ? serial_frame() : parallel_frame();
+    strip.extents[0] = extent(strip.normal(), is_serial ? multiplier_of(strip.normal()) : 0.0);
     for (std::size_t k = 1; k < 3; ++k) strip.extents[k] = extent(strip.frame[k], 0.0);
     for (std::size_t i = 0; i < 3; ++i) {
       Direction axis{};
@@ -145,6 +164,26 @@ class SingularPart {
   }
 
  private:
+  using Frame = std::array<Direction, 3>;
+
+  static Frame frame_across(const Direction& along, const Direction& other) {
+    const Direction normal = normalized(cross(other, along));
+    return {normal, along, cross(normal, along)};
+  }
+
+  /// In the image are the longer one of the first two columns, which are nearly parallel, and the third.
+  Frame parallel_frame() const {
+    const Direction a = center_.column(0), phi = center_.column(1);
+    return frame_across(normalized(length_of(a) > length_of(phi) ? a : phi), center_.column(2));
+  }
+
+  /// In the image are what goes with phi, and with that direction in a and the held value where f stays zero.
+  Frame serial_frame() const {
+    const double by_a = middle_of(center_.f.gradient[0]), by_held = middle_of(center_.f.gradient[2]);
+    return frame_across(normalized(center_.column(1)),
+                        combined(-by_held, center_.column(0), by_a, center_.column(2)));
+  }
+
   /// l such that n J = l grad f in the middle.
   double multiplier_of(const Direction& n) const {
     const double by_a = middle_of(center_.f.gradient[0]), by_held = middle_of(center_.f.gradient[2]);
@@ -167,9 +206,8 @@ class SingularPart {
   }
 
   SliceCenter box_;
-  IntervalRow middle_;
-  const SmoothFamily& over_;
-  const SmoothFamily& center_;
+  const SmoothFamily &over_, &center_;
+  const IntervalRow& middle_;
 };
 
 /// An angle that is continuous over a box, of ranges that are less than a turn, in the turn that it has in
@@ -236,48 +274,40 @@ bool FamilyImages::is_left_to_others(const Singularity& of, const PlanarHeldSlic
   return false;
 }
 
+/// Whether the box holds no such pose of the mode within limits, or is left to another leg.
+bool FamilyImages::is_excluded(const Singularity& of, const PlanarHeldSlice& slices,
+                               const std::optional<CuspLegs>& legs, const SlicePlace& place) const {
+  const int held_sign = slices.held_sign(place);
+  if (of.is_serial() ? held_sign != 0 : held_sign * of.held_sign < 0) return true;
+  if (slices.within_limits(of.posture, place) == Verdict::fails) return true;
+  if (!of.is_serial() && is_left_to_others(of, slices, place)) return true;
+  if (!legs) return false;
+  return is_out_of_reach(*legs) || (!of.is_serial() && !may_be_singular(*legs, place.over()));
+}
+
 std::optional<ImageStrip> FamilyImages::strip_of(const Box& box, Surface surface) const {
   const Singularity& of = singularities_[surface];
-  const bool is_serial = of.held_sign == 0;
-  PlanarHeldSlice slices = of.slices;
   const Interval held(box.lower[2], box.upper[2]);
-  slices.hold(held);
+  const PlanarHeldSlice slices = held_at(of.slices, held);
   const SlicePlace place = slices.place(box);
-  if (slices.held_sign(place) * of.held_sign < 0 || (is_serial && slices.held_sign(place) != 0) ||
-      slices.within_limits(of.posture, place) == Verdict::fails)
-    return std::nullopt;
-  if (!is_serial && is_left_to_others(of, slices, place)) return std::nullopt;
   const auto legs = legs_over(slices, of.posture, place);
-  if (legs && (is_out_of_reach(*legs) || (!is_serial && !may_be_singular(*legs, place.over()))))
-    return std::nullopt;
+  if (is_excluded(of, slices, legs, place)) return std::nullopt;
   const std::array<std::size_t, 3> order{slices.leg(0), slices.leg(1), of.held};
   if (std::max(box.width(0), box.width(1)) > largest_imaged)
     return in_order(rectangle({std::nullopt, std::nullopt, held}), order);
-  const auto over = legs ? SmoothFamily::make(slices, *legs, is_serial, place) : std::nullopt;
-  const auto values = [&](const PlanarHeldSlice& at, const SlicePlace& where, const Interval& value) {
-    return std::array<std::optional<Interval>, 3>{at.joint_value(0, of.posture[0], where),
-                                                  at.joint_value(1, of.posture[1], where), value};
-  };
-  if (over) {
-    PlanarHeldSlice middle = of.slices;
-    middle.hold(Interval(box.center(2)));
-    const SlicePlace center = place.at_center();
-    const auto at = values(middle, center, Interval(box.center(2)));
-    const auto legs_at = legs_over(middle, of.posture, center);
-    const auto smooth = legs_at ? SmoothFamily::make(middle, *legs_at, is_serial, center) : std::nullopt;
-    if (smooth && at[0] && at[1]) {
-      const SingularPart part(box, {*at[0], *at[1], *at[2]}, *over, *smooth);
-      if (!part.may_be_there()) return std::nullopt;
-      ImageStrip strip = part.strip(is_serial);
-      const auto ranges = values(slices, place, held);
-      for (std::size_t i = 0; i < 3; ++i)
-        if (ranges[i])
-          strip.range[i] = intersection(
-              strip.range[i], space().are_angles[order[i]] ? in_turn_of(*at[i], *ranges[i]) : *ranges[i]);
-      return in_order(strip, order);
-    }
-  }
-  return in_order(rectangle(values(slices, place, held)), order);
+  const Ranges ranges = ranges_over(slices, of.posture, place, held);
+  const auto over = legs ? SmoothFamily::make(slices, *legs, of.is_serial(), place) : std::nullopt;
+  const auto middle = over ? SmoothMiddle::make(of.slices, of.posture, of.is_serial(), box) : std::nullopt;
+  if (!middle) return in_order(rectangle(ranges), order);
+  const SingularPart part(box, *over, *middle);
+  if (!part.may_be_there()) return std::nullopt;
+  ImageStrip strip = part.strip(of.is_serial());
+  for (std::size_t i = 0; i < 3; ++i)
+    if (ranges[i])
+      strip.range[i] =
+          intersection(strip.range[i],
+                       space().are_angles[order[i]] ? in_turn_of(middle->values[i], *ranges[i]) : *ranges[i]);
+  return in_order(strip, order);
 }
 
 // The value that is held counts as far as the end of the rod moves for as long an arc.

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_IMAGES_FAMILY_IMAGES_H
 #define PARALLEL_ASPECTS_ASPECTS_IMAGES_FAMILY_IMAGES_H
 
+#include "aspects/cusps/cusp_functions.h"
 #include "aspects/cusps/held_slice.h"
 #include "aspects/cusps/planar_held_slice.h"
 #include "aspects/images/singular_images.h"
@@ -42,15 +43,18 @@ class FamilyImages : public SingularImages {
     PlanarHeldSlice slices;
     std::size_t held = 0;
     SlicePosture posture{};
-    int held_sign = 0;       ///< 0 where it is B_hh = 0
-    double half_turn = 0.0;  ///< of the value that is held: an angle, or a length as long as the end of the
-                             ///< rod moves [m or rad]
+    int held_sign = 0;  ///< 0 where it is B_hh = 0
+    double half_turn =
+        0.0;  ///< of the held value: an angle, or as far as the end of the rod moves [m or rad]
+
+    bool is_serial() const noexcept { return held_sign == 0; }
   };
 
   void add(const Manipulator& manipulator, const WorkingMode& mode, std::size_t held, bool is_serial);
   std::optional<ImageStrip> strip_of(const Box& box, Surface surface) const override;
   std::array<Box, 2> halves_of(const Box& box, Surface surface) const override;
-
+  bool is_excluded(const Singularity& of, const PlanarHeldSlice& slices, const std::optional<CuspLegs>& legs,
+                   const SlicePlace& place) const;
   bool is_left_to_others(const Singularity& of, const PlanarHeldSlice& slices, const SlicePlace& place) const;
 
   std::array<double, 3> moving_sizes_{};  // of |B_jj|; 0 of struts
