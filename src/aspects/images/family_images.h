@@ -44,8 +44,8 @@ class FamilyImages : public SingularImages {
     std::size_t held = 0;
     SlicePosture posture{};
     int held_sign = 0;  ///< 0 where it is B_hh = 0
-    double half_turn =
-        0.0;  ///< of the held value: an angle, or as far as the end of the rod moves [m or rad]
+    /// Of the value that is held: half a turn, or as far as the end of a rod moves in one [m or rad].
+    double half_turn = 0.0;
 
     bool is_serial() const noexcept { return held_sign == 0; }
   };

@@ -25,6 +25,7 @@ using Eigen::Vector3d;
 
 constexpr double lean = 60.0 / 180.0 * EIGEN_PI;  // back from the plane that is seen from above [rad]
 constexpr double gap = 0.15, legend_share = 0.2;  // beside and between boxes, of their width
+constexpr std::size_t most_rows = 2;              // of boxes; others are in further columns
 constexpr int cells = 48;                         // of the grid, along each axis
 
 using Cell = std::array<int, 3>;
@@ -197,7 +198,9 @@ class AspectDrawing {
 
 DomainLayout::DomainLayout(const Manipulator& manipulator, const Scene& scene, const AlignedBox2d& positions,
                            std::size_t aspects)
-    : radian_(turn_length(manipulator) / (2.0 * EIGEN_PI)), count_(aspects) {
+    : radian_(turn_length(manipulator) / (2.0 * EIGEN_PI)),
+      rows_(std::clamp<std::size_t>(aspects, 1, most_rows)),
+      columns_((aspects + rows_ - 1) / rows_) {
   const double half_turn = EIGEN_PI * radian_;
   box_ = {Vector3d(positions.min().x(), positions.min().y(), -half_turn),
           Vector3d(positions.max().x(), positions.max().y(), half_turn)};
@@ -205,11 +208,15 @@ DomainLayout::DomainLayout(const Manipulator& manipulator, const Scene& scene, c
   middle_ = {scene.robot.min().x() - (gap + 0.5) * box_.sizes().x(), scene.robot.center().y()};
 }
 
-double DomainLayout::pitch() const { return height_ + gap * box_.sizes().x(); }
+Vector2d DomainLayout::pitch() const {
+  const double width = box_.sizes().x();
+  return {(1.0 + gap + legend_share) * width, height_ + gap * width};
+}
 
 Isometry3d DomainLayout::frame(std::size_t box) const {
-  const double above = 0.5 * (static_cast<double>(count_) - 1.0) - static_cast<double>(box);
-  return Eigen::Translation3d(middle_.x(), middle_.y() + above * pitch(), 0.0) *
+  const double above = 0.5 * (static_cast<double>(rows_) - 1.0) - static_cast<double>(box % rows_);
+  const auto before = static_cast<double>(columns_ - 1 - box / rows_);
+  return Eigen::Translation3d(middle_.x() - before * pitch().x(), middle_.y() + above * pitch().y(), 0.0) *
          Eigen::AngleAxisd(-lean, Vector3d::UnitX()) * Eigen::Translation3d(-box_.center());
 }
 
@@ -218,8 +225,10 @@ Vector2d DomainLayout::top(std::size_t box) const {
 }
 
 AlignedBox2d DomainLayout::seen() const {
-  const double width = box_.sizes().x(), half = 0.5 * static_cast<double>(count_) * pitch();
-  return {middle_ - Vector2d((0.5 + legend_share) * width, half), middle_ + Vector2d(0.5 * width, half)};
+  const double width = box_.sizes().x(), half = 0.5 * static_cast<double>(rows_) * pitch().y();
+  const double before = static_cast<double>(columns_ - 1) * pitch().x();
+  return {middle_ - Vector2d(before + (0.5 + legend_share) * width, half),
+          middle_ + Vector2d(0.5 * width, half)};
 }
 
 visualization_msgs::MarkerArray domain_markers(const Uniqueness& uniqueness, const CuspCurves& cusps,

@@ -15,7 +15,7 @@
 namespace parallel_aspects {
 
 /// Where the poses (x, y, phi) of an aspect of SE2 are drawn for their basic regions: in boxes to the left of
-/// the robot, one an aspect and one above the other, each leaning back so that whoever looks from above sees
+/// the robot, one an aspect in columns of up to two, each leaning back so that whoever looks from above sees
 /// it from the front. A metre is a metre, and a turn is as long as `turn_length` says.
 class DomainLayout {
  public:
@@ -38,13 +38,13 @@ class DomainLayout {
   double text_height() const noexcept { return 0.045 * box_.sizes().x(); }
 
  private:
-  double pitch() const;
+  Eigen::Vector2d pitch() const;
 
   double radian_;
   Eigen::AlignedBox3d box_;
-  Eigen::Vector2d middle_;  // of all boxes, in the task frame
+  Eigen::Vector2d middle_;  // of the last column, in the task frame
   double height_;           // of a box, as it is seen from above
-  std::size_t count_;
+  std::size_t rows_, columns_;
 };
 
 /// The basic regions of a robot of SE2, as the outermost cubes of those whose middle is proved to lie in the

@@ -83,14 +83,15 @@ void add_display(const Manipulator& robot, const Scene& scene, std::vector<Vecto
   corners.push_back(above);
 }
 
-// Of aspects that there may be, one of each sign in each working mode; in robots of other task spaces nothing
-// is drawn of their domains.
+// Of aspects that there may be, one of each sign in each working mode, four at most: so that the robot is not
+// lost among many. In robots of other task spaces nothing is drawn of their domains.
 void add_domains(const NodeSetup& setup, const Scene& scene, std::vector<Vector3d>& corners) {
   const Manipulator& robot = *setup.mechanism->manipulator();
   if (!setup.options.uniqueness.enabled || robot.task_space() != TaskSpace::SE2) return;
   if (!find_uniqueness_problem(robot, {}).empty()) return;
   const AlignedBox2d positions(scene.robot.min().head<2>(), scene.robot.max().head<2>());
-  const AlignedBox2d seen = DomainLayout(robot, scene, positions, 2 * working_modes(robot).size()).seen();
+  const std::size_t aspects = std::min<std::size_t>(4, 2 * working_modes(robot).size());
+  const AlignedBox2d seen = DomainLayout(robot, scene, positions, aspects).seen();
   for (const Vector2d& corner : {seen.min(), seen.max()}) corners.emplace_back(corner.x(), corner.y(), 0.0);
 }
 
