@@ -79,7 +79,7 @@ enum class DomainSharing {
 /// Actuated values that have one number of direct solutions.
 struct SolutionRegion {
   WorkingMode mode;            ///< of the solutions that are counted; empty: of all working modes at once
-  std::size_t solutions = 0;   ///< at least 1, proved
+  std::size_t solutions = 0;   ///< at least 1; proved of `measure_lower`
   double measure = 0.0;        ///< best estimate [m^2, or m^3 of all three joints]
   double measure_lower = 0.0;  ///< proved [m^2 or m^3]
   double measure_upper = 0.0;  ///< proved [m^2 or m^3]
@@ -179,7 +179,8 @@ struct SolutionNumbers {
   /// Whether they are numbers of solutions in each working mode, not in all at once: of robots with several
   /// of these as a whole. All is of one mode then, and `measure_unknown` the sum over them.
   bool by_mode = false;
-  std::string region_unit;                       ///< of measures of actuated values, as "m^2" or "rad^2"
+  /// Of measures of actuated values, as "m^2" or "rad^2". Angles that are whole turns apart count once.
+  std::string region_unit;
   std::vector<SolutionRegion> regions;           ///< by mode and number of solutions
   double measure_unknown = 0.0;                  ///< where no number of solutions is proved [that unit]
   std::vector<BasicComponent> basic_components;  ///< those with solutions, the largest first

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <random>
 #include <utility>
 
 namespace parallel_aspects {
@@ -31,11 +32,42 @@ double longest_side(const ValueBox& values) {
   return longest;
 }
 
+/// Whether the strip is no longer than the cell: of values, along each axis, since some may be lengths and
+/// others angles.
+bool is_short(const ImageStrip& strip, const ValueBox& cell, const ValueSpace& space) {
+  if (space.of_half_squares) return longest_side(strip.range) <= longest_strip * longest_side(cell);
+  for (std::size_t i = 0; i < space.values.dimension; ++i)
+    if (!(strip.range[i].upper() - strip.range[i].lower() <=
+          longest_strip * (cell[i].upper() - cell[i].lower())))
+      return false;
+  return true;
+}
+
 /// n . values in the middle of the cell.
 Interval at_middle(const Box& cell, const std::array<double, 3>& n) noexcept {
   Interval sum;
   for (std::size_t i = 0; i < cell.dimension; ++i) sum += Interval(n[i]) * Interval(cell.center(i));
   return sum;
+}
+
+/// What counts as one along each axis: of values the edges of the cell, since some may be lengths and others
+/// angles.
+std::array<double, 3> sides_of(const Box& cell, const ValueSpace& space) noexcept {
+  std::array<double, 3> sides{1.0, 1.0, 1.0};
+  for (std::size_t i = 0; i < cell.dimension && !space.of_half_squares; ++i) sides[i] = cell.width(i);
+  return sides;
+}
+
+/// Of normals that point either way.
+std::array<double, 3> mean_normal(const std::vector<ImageStrip>& strips, const std::array<double, 3>& sides) {
+  std::array<double, 3> sum{};
+  for (const ImageStrip& strip : strips) {
+    const auto& normal = strip.normal();
+    const auto n = normalized({normal[0] * sides[0], normal[1] * sides[1], normal[2] * sides[2]});
+    const double along = n[0] * sum[0] + n[1] * sum[1] + n[2] * sum[2];
+    for (std::size_t i = 0; i < 3; ++i) sum[i] += along < 0.0 ? -n[i] : n[i];
+  }
+  return {sum[0] / sides[0], sum[1] / sides[1], sum[2] / sides[2]};
 }
 
 void leave_unknown(SpaceCell& cell) noexcept {
@@ -160,8 +192,8 @@ void ActuatedSpace::collect(const SpaceCell& cell, Node node, std::vector<Node>&
   const ValueBox values = values_over(cell);
   const auto strip = strip_beside(values, node);
   if (strip && !strip->may_meet(values)) return;
-  const bool is_short = longest_side(images_.strip(node).range) <= longest_strip * longest_side(values);
-  if (is_short || images_.is_smallest(node)) return touching.push_back(node);
+  if (is_short(images_.strip(node), values, space_) || images_.is_smallest(node))
+    return touching.push_back(node);
   const SingularImages::Parts parts = images_.parts(node);
   for (Node k = 0; k < parts.count; ++k) collect(cell, parts[k], touching);
 }
@@ -174,12 +206,7 @@ void ActuatedSpace::find_slab(SpaceCell& cell) const {
     if (!strip) return leave_unknown(cell);
     strips.push_back(*strip);
   }
-  std::array<double, 3> normal{};
-  for (const ImageStrip& strip : strips) {
-    const auto& n = strip.normal();
-    const double along = n[0] * normal[0] + n[1] * normal[1] + n[2] * normal[2];
-    for (std::size_t i = 0; i < 3; ++i) normal[i] += along < 0.0 ? -n[i] : n[i];
-  }
+  const std::array<double, 3> normal = mean_normal(strips, sides_of(cell.box, space_));
   double lower = HUGE_VAL, upper = -HUGE_VAL;
   for (const ImageStrip& strip : strips) {
     const Interval along = strip.along(normal);
@@ -277,6 +304,29 @@ std::optional<PieceIndex> ActuatedSpace::find(const ActuatedValues& values) cons
   if (!cells_[cell].box.contains(values)) return std::nullopt;
   while (cells_[cell].first_child != 0) cell = cells_[cell].first_child + cells_[cell].box.rank_of(values);
   return piece_at(cells_[cell], values);
+}
+
+std::vector<ActuatedValues> ActuatedSpace::draw_unknown(std::size_t count, std::uint64_t seed) const {
+  std::vector<double> up_to;
+  std::vector<const SpaceCell*> cells;
+  for (const SpaceCell& cell : cells_) {
+    if (cell.first_child != 0 || !(cell.unknown > 0.0)) continue;
+    up_to.push_back((up_to.empty() ? 0.0 : up_to.back()) + cell.box.measure());
+    cells.push_back(&cell);
+  }
+  std::vector<ActuatedValues> result;
+  if (cells.empty()) return result;
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (std::size_t tries = 0; result.size() < count && tries < 100 * count; ++tries) {
+    const auto at = std::upper_bound(up_to.begin(), up_to.end() - 1, share(random) * up_to.back());
+    const SpaceCell& cell = *cells[static_cast<std::size_t>(at - up_to.begin())];
+    ActuatedValues values{};
+    for (std::size_t i = 0; i < dimension(); ++i)
+      values[i] = cell.box.lower[i] + share(random) * cell.box.width(i);
+    if (!piece_at(cell, values)) result.push_back(values);
+  }
+  return result;
 }
 
 ActuatedValues ActuatedSpace::point_of(PieceIndex index) const {

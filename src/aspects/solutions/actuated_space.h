@@ -92,6 +92,9 @@ class ActuatedSpace {
   /// A point of the piece, away from its ends [m or rad].
   ActuatedValues point_of(PieceIndex piece) const;
 
+  /// Values that are in no piece, drawn evenly among these. Needs a live `RoundingUpward`.
+  std::vector<ActuatedValues> draw_unknown(std::size_t count, std::uint64_t seed) const;
+
   /// What is in no piece, an upper bound [m^2 or m^3].
   double unknown() const noexcept { return unknown_; }
 

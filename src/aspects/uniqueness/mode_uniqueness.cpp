@@ -15,12 +15,16 @@
 #include "interval/rounding.h"
 #include "model/angles.h"
 #include "parallel_aspects/aspects/held_joint.h"
+#include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/working_mode.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +36,9 @@ namespace {
 
 // Of all values of a mode: what may be unknown, and which sets are looked into.
 constexpr double unknown_share_of_mode = 5e-3, least_set_of_mode = 1e-4;
+
+// So many values of what is unknown are solved, for estimates.
+constexpr std::size_t unknown_draws = 1000;
 
 // Its joint is held in the slices.
 constexpr std::size_t held_of_modes = 0;
@@ -64,6 +71,25 @@ class ModeRegions {
     for (const SolutionSet& set : sets_)
       if (!set.solutions) result += set.measure * rounded_up;
     return result;
+  }
+
+  /// Of what is in no cell, the share with each number of solutions, from 1, as far as some hundred draws
+  /// tell.
+  std::map<std::size_t, double> unknown_shares() const {
+    std::vector<ActuatedValues> drawn;
+    {
+      const RoundingUpward rounding;
+      drawn = space_.draw_unknown(unknown_draws, mode_.index());
+    }
+    std::map<std::size_t, double> shares;
+    for (const ActuatedValues& values : drawn) {
+      const JointVector q = actuated(values);
+      std::size_t count = 0;
+      for (const AssemblyMode& each : direct(robot(), q).solutions)
+        if (working_mode(robot(), each.pose, q) == mode_) ++count;
+      if (count > 0) shares[count] += 1.0 / static_cast<double>(drawn.size());
+    }
+    return shares;
   }
 
   BasicComponent component(const SolutionSet& set) const {
@@ -206,6 +232,18 @@ std::vector<SetOfMode> sets_with_solutions(const RegionsOfModes& of) {
   return result;
 }
 
+/// What is known of each number with its share of what is unknown.
+void estimate(const std::map<std::size_t, double>& shares, SolutionNumbers& numbers) {
+  for (SolutionRegion& region : numbers.regions) region.measure = region.measure_lower;
+  for (const auto& [solutions, share] : shares) {
+    auto region = std::find_if(numbers.regions.begin(), numbers.regions.end(),
+                               [n = solutions](const SolutionRegion& each) { return each.solutions >= n; });
+    if (region == numbers.regions.end() || region->solutions != solutions)
+      region = numbers.regions.insert(region, {{}, solutions, 0.0, 0.0, numbers.measure_unknown});
+    region->measure += share * numbers.measure_unknown;
+  }
+}
+
 void add_numbers(const RegionsOfModes& of, Uniqueness& result) {
   std::vector<SolutionNumbers> numbers(of.modes.size());
   for (const auto& [i, set] : sets_with_solutions(of)) {
@@ -213,8 +251,12 @@ void add_numbers(const RegionsOfModes& of, Uniqueness& result) {
     result.basic_components.push_back(of.modes[i]->component(*set));
     add_component(result.basic_components.back(), numbers[i]);
   }
+  std::vector<std::map<std::size_t, double>> shares(of.modes.size());
+  tbb::parallel_for(std::size_t{0}, shares.size(),
+                    [&](std::size_t i) { shares[i] = of.modes[i]->unknown_shares(); });
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     set_unknown(of.modes[i]->unknown(), numbers[i]);
+    estimate(shares[i], numbers[i]);
     result.measure_unknown += numbers[i].measure_unknown;
     for (SolutionRegion& region : numbers[i].regions) {
       region.mode = of.modes[i]->mode();

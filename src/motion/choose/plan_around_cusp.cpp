@@ -123,9 +123,9 @@ class CuspPlanner::Search {
                           "No aspect of the cusp's working mode is known to hold the start.");
     if (std::optional<PlannedPath> best = best_path(from, start.aspect)) return *std::move(best);
     return without_path(SameAspect::unknown,
-                        "No path around the cusp is found in the aspect of the start, which is component " +
-                            std::to_string(start.aspect) +
-                            "; around a cusp poses change on one side of det A = 0 alone.");
+                        "No path around the cusp to another pose of the start's actuated values is found in "
+                        "component " +
+                            std::to_string(start.aspect) + ", which holds the start.");
   }
 
   CuspStart find_start() {

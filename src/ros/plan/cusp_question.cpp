@@ -66,7 +66,7 @@ std::string fields_of(const Manipulator& manipulator, const PathPoint& point) {
   return "position (" + listed({at.x, at.y, at.z}) + ") and orientation (" +
          listed({turned.x, turned.y, turned.z, turned.w}) + ") in the base frame, working_mode [" +
          listed({signs.begin(), signs.end()}) + "], where the actuated values are " +
-         listed({point.q.begin(), point.q.end()});
+         listed({point.q.data(), point.q.data() + point.q.size()});
 }
 
 /// Where to begin in place of a start without a path.

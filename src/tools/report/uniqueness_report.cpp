@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/uniqueness_report.h"
 
+#include "model/angles.h"
 #include "model/number_text.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/slice_report.h"
@@ -8,6 +9,7 @@
 #include "tools/report/uniqueness_json.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <numeric>
@@ -123,7 +125,19 @@ std::vector<std::string> cells_with_mode(const WorkingMode& mode, std::vector<st
   return cells;
 }
 
-std::string regions_text(const SolutionNumbers& uniqueness) {
+/// Of angles whose limits hold more than a turn.
+std::string turns_text(const Manipulator& robot) {
+  std::string names;
+  for (const Leg& leg : robot.legs())
+    if (leg.actuated_by_angle() && leg.limits.upper - leg.limits.lower > full_turn &&
+        std::isfinite(leg.limits.upper - leg.limits.lower))
+      names += (names.empty() ? "" : ", ") + leg.actuated_joint;
+  return names.empty()
+             ? ""
+             : "Each angle of " + names + " counts once, though its limits hold more than a turn.\n";
+}
+
+std::string regions_text(const Manipulator& robot, const SolutionNumbers& uniqueness) {
   if (!uniqueness.has_regions) return "";
   const std::string& unit = uniqueness.region_unit;
   TextTable table(
@@ -136,7 +150,7 @@ std::string regions_text(const SolutionNumbers& uniqueness) {
          std::string(uniqueness.by_mode ? " in each working mode" : "") + ", which is not proved on " +
          shown_bound(uniqueness.measure_unknown, Side::above) + " " + unit +
          (uniqueness.by_mode ? " over all working modes" : "") + "\n" +
-         (uniqueness.regions.empty() ? "" : table.text());
+         (uniqueness.regions.empty() ? "" : table.text()) + turns_text(robot);
 }
 
 /// The number of direct solutions in each aspect, by its id; `?` where the map cannot tell.
@@ -276,8 +290,9 @@ Report report_uniqueness(const Uniqueness& uniqueness) {
   const Report constraints = report_constraints(*map.manipulator());
   object.update(constraints.json);
   return {object, headline(uniqueness) + '\n' + components_text(map) + '\n' + cusps_text(uniqueness) +
-                      nodes_text(uniqueness) + regions_text(uniqueness) + basic_components_text(uniqueness) +
-                      basic_regions_text(uniqueness) + domains_text(uniqueness) + '\n' + constraints.text};
+                      nodes_text(uniqueness) + regions_text(*map.manipulator(), uniqueness) +
+                      basic_components_text(uniqueness) + basic_regions_text(uniqueness) +
+                      domains_text(uniqueness) + '\n' + constraints.text};
 }
 
 Report report_cusps(const Manipulator& robot, const HeldJoint& held, const CuspList& found,
@@ -300,7 +315,7 @@ Report report_cusps(const Manipulator& robot, const HeldJoint& held, const CuspL
           : "";
   return {object, robot.name() + ", " + leg.actuated_joint + " = " + number_text(held.value) + " " +
                       joint_unit(leg) + "\n\n" + cusps_text(robot, found.cusps, found.complete, false) + why +
-                      regions_text(numbers) + '\n' + constraints.text};
+                      regions_text(robot, numbers) + '\n' + constraints.text};
 }
 
 }  // namespace parallel_aspects::tools

@@ -211,11 +211,14 @@ std::string other_start_text(const Manipulator& manipulator, const CuspStart& st
   const std::string text = " Cusp " + cusp + " belongs to component " + std::to_string(start.aspect);
   if (!start.point) return text + ", but from no pose beside it a path is found.";
   constexpr int digits = 10;
+  const bool has_modes = working_modes(manipulator).size() > 1;
   std::string values;
-  for (const double q : start.point->q) values += (values.empty() ? "" : " ") + number_text(q, digits);
+  for (Eigen::Index j = 0; j < start.point->q.size(); ++j)
+    values += (j == 0 ? "" : " ") + number_text(start.point->q[j], digits);
   return text + "; a start of that component with a path is --from \"" +
-         pose_argument(manipulator.task_space(), start.point->pose, digits) +
-         "\", where the actuated values are \"" + values + "\".";
+         pose_argument(manipulator.task_space(), start.point->pose, digits) + "\"" +
+         (has_modes ? " --from-mode \"" + to_string(start.point->mode) + "\"" : "") +
+         ", where the actuated values are \"" + values + "\".";
 }
 
 /// In one aspect of a slice, back to the actuated values of the start.

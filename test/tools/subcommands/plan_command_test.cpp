@@ -356,7 +356,7 @@ TEST_F(PlanCommand, NamesAStartInTheComponentOfACusp) {
   const Outcome none = run(other);
   const std::string& text = none.output;
   EXPECT_EQ(none.code, exit_code::unknown);
-  EXPECT_NE(text.find("the aspect of the start, which is component 2;"), std::string::npos) << text;
+  EXPECT_NE(text.find("found in component 2, which holds the start."), std::string::npos) << text;
   EXPECT_NE(text.find("Cusp 6 belongs to component 3;"), std::string::npos) << text;
   const std::string pose = quoted_behind("--from", text), values = quoted_behind("values are", text);
   again.insert(again.end(), {"--from", pose.c_str()});
