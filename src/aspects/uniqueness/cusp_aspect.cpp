@@ -82,7 +82,9 @@ class CuspSurroundings {
   /// Not a number where a leg does not reach.
   double determinant(const Vector2d& off) const {
     const Pose pose = pose_at(off);
-    return direct_determinant(robot_, pose, inverse(robot_, pose, mode_).q);
+    const InverseSolution found = inverse(robot_, pose, mode_);
+    if (found.status == InverseStatus::out_of_reach) return std::nan("");
+    return direct_determinant(robot_, pose, found.q);
   }
 
   Vector2d gradient() const {
@@ -94,8 +96,9 @@ class CuspSurroundings {
   /// in opposite directions from it.
   std::optional<SolutionPair> pair_of(const Vector2d& between) const {
     const Pose pose = pose_at(between);
-    const JointVector q = inverse(robot_, pose, mode_).q;
-    if (!q.allFinite()) return std::nullopt;
+    const InverseSolution reached = inverse(robot_, pose, mode_);
+    if (reached.status == InverseStatus::out_of_reach || !reached.q.allFinite()) return std::nullopt;
+    const JointVector& q = reached.q;
     const bool is_positive = direct_determinant(robot_, pose, q) > 0.0;
     std::vector<Vector2d> found;
     for (const AssemblyMode& each : direct(robot_, q).solutions)

@@ -25,7 +25,12 @@ namespace {
 
 JointVector actuated_of(const Manipulator& manipulator, const HeldJoint& held, const Pose& pose,
                         const WorkingMode& mode) {
-  JointVector q = inverse(manipulator, pose, mode).q;
+  JointVector q(static_cast<Eigen::Index>(manipulator.leg_count()));
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const Leg& leg = manipulator.leg(j);
+    const Eigen::Vector3d point = pose.position + pose.orientation * leg.anchor;
+    q[static_cast<Eigen::Index>(j)] = joint_value(leg, point, mode.sign(j));  // by rounding just out of reach
+  }
   q[static_cast<Eigen::Index>(held.leg)] = held.value;
   return q;
 }

@@ -34,7 +34,7 @@ using test::ActuationKind;
 using test::Robot;
 
 constexpr double turn = 6.28318530717958648;
-const std::size_t cells_of_test = test::is_sanitized ? 2000 : 8000;
+constexpr std::size_t cells_of_test = 8000;
 
 struct Whole {
   Robot robot;
