@@ -162,7 +162,12 @@ Pose CuspLoops::pose(std::size_t node) const {
   return circle_.pose(origin_.x() + step * x_of(node), origin_.y() + step * y_of(node));
 }
 
-JointVector CuspLoops::values(const Pose& pose) const { return inverse(robot_, pose, mode_).q; }
+// Not numbers where the pose is out of reach.
+JointVector CuspLoops::values(const Pose& pose) const {
+  const InverseSolution found = inverse(robot_, pose, mode_);
+  if (found.status != InverseStatus::out_of_reach) return found.q;
+  return JointVector::Constant(static_cast<Eigen::Index>(robot_.leg_count()), std::nan(""));
+}
 
 /// The four nodes next to a pose.
 std::vector<std::size_t> CuspLoops::around(const Pose& pose) const {

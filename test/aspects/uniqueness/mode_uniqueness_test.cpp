@@ -160,7 +160,7 @@ TEST(ModeUniqueness, HasTheNumbersOfTheDirectProblemInEachAspect) {
   test::RandomRobots random(41);
   for (const Whole& of : robots()) {
     ASSERT_TRUE(of.found && of.found->by_mode);
-    const int samples = test::is_sanitized ? 300 : 3000;
+    const int samples = test::is_sanitized ? 1000 : 3000;
     Drawn drawn;
     for (int n = 0; n < samples; ++n) {
       const JointVector q = of.random_values(random);
@@ -188,7 +188,7 @@ TEST(ModeUniqueness, HoldsOneSolutionInARegionAndInADomain) {
   test::RandomRobots random(42);
   for (const Whole& of : robots()) {
     std::size_t poses = 0, located = 0, pairs = 0;
-    for (int n = 0; n < (test::is_sanitized ? 200 : 3000); ++n) {
+    for (int n = 0; n < (test::is_sanitized ? 1000 : 3000); ++n) {
       const JointVector q = of.random_values(random);
       std::vector<Located> there;
       for (const AssemblyMode& each : direct(*of.robot, q).solutions) {
