@@ -5,10 +5,12 @@
 #include "aspects/tree/pose_space.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/aspects/uniqueness.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <memory>
 #include <random>
 #include <vector>
@@ -39,6 +41,20 @@ inline std::shared_ptr<const AspectMap> map_of(const Robot& robot, const MapOpti
   const MapResult result = compute_aspect_map(robot, options);
   EXPECT_TRUE(result.map) << result.message;
   return result.map;
+}
+
+inline std::shared_ptr<const Uniqueness> uniqueness_of(const Robot& robot,
+                                                       const UniquenessOptions& options = {}) {
+  const UniquenessResult result = compute_uniqueness(robot, options);
+  EXPECT_TRUE(result) << result.message;
+  return result.uniqueness;
+}
+
+/// In the slice that holds the actuated joint of a leg at this value.
+inline std::shared_ptr<const Uniqueness> uniqueness_of_slice(const Robot& robot, std::size_t leg,
+                                                             double value, UniquenessOptions options = {}) {
+  options.slice = slice_of(robot, {{robot->leg(leg).actuated_joint, value}});
+  return uniqueness_of(robot, options);
 }
 
 inline double uniform(std::mt19937_64& random, double lower, double upper) {

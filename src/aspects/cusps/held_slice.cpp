@@ -73,8 +73,8 @@ const SliceTurns& SlicePlace::center() const noexcept {
   return *center_;
 }
 
-HeldSlice::Fixed::Fixed(const Manipulator& manipulator, std::size_t held)
-    : held_signs(signs_of(manipulator.leg(held))) {
+HeldSlice::Fixed::Fixed(const Manipulator& manipulator, std::size_t of_leg)
+    : held(of_leg), held_signs(signs_of(manipulator.leg(held))) {
   for (std::size_t i = 0, j = 0; j < manipulator.leg_count(); ++j)
     if (j != held) legs[i++] = j;
   for (const std::size_t j : legs) moving_legs.push_back(manipulator.leg(j));
@@ -108,6 +108,16 @@ int HeldSlice::held_sign(const SlicePlace& at) const noexcept {
   if (fixed_->held_signs.size() == 1) return fixed_->held_signs.front();
   const Interval entry = held_entry(at);
   return entry.positive() ? 1 : entry.negative() ? -1 : 0;
+}
+
+std::optional<WorkingMode> HeldSlice::mode_of(const SlicePosture& posture,
+                                              const SlicePlace& at) const noexcept {
+  const int held = held_sign(at);
+  if (held == 0 || posture[0] == 0 || posture[1] == 0) return std::nullopt;
+  WorkingMode mode(3);
+  mode.set_sign(fixed_->held, held);
+  for (std::size_t i = 0; i < 2; ++i) mode.set_sign(leg(i), posture[i]);
+  return mode;
 }
 
 std::unique_ptr<const HeldSlice> make_held_slice(const Manipulator& manipulator, const HeldJoint& joint) {

@@ -8,6 +8,7 @@
 #include "legs/spatial_leg.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <array>
@@ -98,6 +99,9 @@ class HeldSlice {
   /// The sign of B_jj of the leg whose joint is held; 0 where the box is too large to tell.
   int held_sign(const SlicePlace& at) const noexcept;
 
+  /// The working mode of poses of a posture; nothing where a sign is not known.
+  std::optional<WorkingMode> mode_of(const SlicePosture& posture, const SlicePlace& at) const noexcept;
+
   /// Of a point [half turns], rounded.
   virtual Pose pose(const std::array<double, 2>& at) const = 0;
 
@@ -121,12 +125,13 @@ class HeldSlice {
  private:
   /// What slices of other values share.
   struct Fixed {
+    std::size_t held = 0;         // index of the leg whose joint is held
     std::vector<int> held_signs;  // of B_jj that there are
     std::array<std::size_t, 2> legs{};
     std::vector<Leg> moving_legs;
     std::vector<SlicePosture> postures;
 
-    Fixed(const Manipulator& manipulator, std::size_t held);
+    Fixed(const Manipulator& manipulator, std::size_t of_leg);
   };
 
   SliceSums sums_;

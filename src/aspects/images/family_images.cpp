@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <variant>
 
 namespace parallel_aspects {
 namespace {
@@ -24,22 +23,6 @@ using IntervalRow = std::array<Interval, 3>;
 /// The joint of this leg is held at a value.
 PlanarHeldSlice slices_of(const Manipulator& manipulator, std::size_t held, double value) {
   return {manipulator, HeldJoint{held, value, false}};
-}
-
-/// In space, about [m].
-double length_of_rod(const Leg& leg, double value) {
-  return leg.kind().type == LegType::strut ? std::sqrt(leg.squared_distance(value)) : leg.rod_length;
-}
-
-/// Of |B_jj|, in space; 0 of a strut, which has none.
-double largest_entry(const RevoluteActuation& crank, double rod) { return crank.radius * rod; }
-double largest_entry(const PrismaticActuation&, double rod) { return rod; }
-double largest_entry(const StrutActuation&, double) { return 0.0; }
-double largest_entry(const ElbowActuation&, double) { return 0.0; }
-
-double largest_entry(const Leg& leg) {
-  return std::visit([&](const auto& actuation) { return largest_entry(actuation, leg.rod_length); },
-                    leg.actuation);
 }
 
 /// f and its gradient, by a, phi and the value that is held.
@@ -238,7 +221,7 @@ ImageStrip in_order(const ImageStrip& strip, const std::array<std::size_t, 3>& t
 
 FamilyImages::FamilyImages(const Manipulator& manipulator, const WorkingMode& mode, const ValueSpace& space)
     : SingularImages(space, smallest_family_box) {
-  for (std::size_t held = 0; held < 3; ++held) moving_sizes_[held] = largest_entry(manipulator.leg(held));
+  for (std::size_t held = 0; held < 3; ++held) moving_sizes_[held] = manipulator.leg(held).largest_entry();
   for (std::size_t held = 0; held < 3; ++held) {
     if (moving_sizes_[held] == 0.0) continue;
     add(manipulator, mode, held, false);
@@ -253,7 +236,7 @@ void FamilyImages::add(const Manipulator& manipulator, const WorkingMode& mode, 
   Singularity each{
       slices_of(manipulator, held, values.center(held)), held, {}, is_serial ? 0 : mode.sign(held), pi};
   if (!manipulator.leg(held).actuated_by_angle())
-    each.half_turn *= length_of_rod(manipulator.leg(held), values.center(held));
+    each.half_turn *= std::sqrt(manipulator.leg(held).squared_distance(values.center(held)));
   for (std::size_t i = 0; i < 2; ++i) each.posture[i] = mode.sign(each.slices.leg(i));
   singularities_.push_back(each);
   const Box whole{3, {-1.0, -1.0, values.lower[held]}, {1.0, 1.0, values.upper[held]}};
@@ -308,15 +291,6 @@ std::optional<ImageStrip> FamilyImages::strip_of(const Box& box, Surface surface
           intersection(strip.range[i],
                        space().are_angles[order[i]] ? in_turn_of(middle->values[i], *ranges[i]) : *ranges[i]);
   return in_order(strip, order);
-}
-
-// The value that is held counts as far as the end of the rod moves for as long an arc.
-std::array<Box, 2> FamilyImages::halves_of(const Box& box, Surface surface) const {
-  const double held = box.width(2) / singularities_[surface].half_turn;
-  if (!(held > std::max(box.width(0), box.width(1)))) return parallel_aspects::halves_of(box);
-  std::array<Box, 2> halves{box, box};
-  halves[0].upper[2] = halves[1].lower[2] = box.center(2);
-  return halves;
 }
 
 }  // namespace parallel_aspects

@@ -43,16 +43,15 @@ class FamilyImages : public SingularImages {
     PlanarHeldSlice slices;
     std::size_t held = 0;
     SlicePosture posture{};
-    int held_sign = 0;  ///< 0 where it is B_hh = 0
-    /// Of the value that is held: half a turn, or as far as the end of a rod moves in one [m or rad].
-    double half_turn = 0.0;
+    int held_sign = 0;       ///< 0 where it is B_hh = 0
+    double half_turn = 0.0;  ///< see `SingularImages`
 
     bool is_serial() const noexcept { return held_sign == 0; }
   };
 
   void add(const Manipulator& manipulator, const WorkingMode& mode, std::size_t held, bool is_serial);
   std::optional<ImageStrip> strip_of(const Box& box, Surface surface) const override;
-  std::array<Box, 2> halves_of(const Box& box, Surface surface) const override;
+  double half_turn(Surface surface) const override { return singularities_[surface].half_turn; }
   bool is_excluded(const Singularity& of, const PlanarHeldSlice& slices, const std::optional<CuspLegs>& legs,
                    const SlicePlace& place) const;
   bool is_left_to_others(const Singularity& of, const PlanarHeldSlice& slices, const SlicePlace& place) const;

@@ -91,6 +91,15 @@ SingularImages::Parts SingularImages::parts(Node node) {
   return nodes_[node].parts;
 }
 
+/// Along its longest edge.
+std::array<Box, 2> SingularImages::halves_of(const Box& box, Surface surface) const {
+  const double third = box.dimension == 2 ? 0.0 : box.width(2) / half_turn(surface);
+  if (!(third > std::max(box.width(0), box.width(1)))) return parallel_aspects::halves_of(box);
+  std::array<Box, 2> halves{box, box};
+  halves[0].upper[2] = halves[1].lower[2] = box.center(2);
+  return halves;
+}
+
 /// Halved so often.
 void SingularImages::add_halves(const Box& box, Surface surface, std::size_t times) {
   if (times == 0) return add(box, surface);

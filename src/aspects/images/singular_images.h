@@ -101,7 +101,9 @@ class SingularImages {
   /// Of the poses of such a singularity in the box; nothing where there are none.
   virtual std::optional<ImageStrip> strip_of(const Box& box, Surface surface) const = 0;
 
-  virtual std::array<Box, 2> halves_of(const Box& box, Surface surface) const = 0;
+  /// How much of the third coordinate counts as half a turn, where boxes are halved: of an angle half a turn,
+  /// of a length as far as the end of a rod moves in one [rad or m].
+  virtual double half_turn(Surface surface) const = 0;
 
  private:
   struct Entry {
@@ -112,6 +114,7 @@ class SingularImages {
     Parts parts;
   };
 
+  std::array<Box, 2> halves_of(const Box& box, Surface surface) const;
   void add(const Box& box, Surface surface);
   void add_halves(const Box& box, Surface surface, std::size_t times);
 

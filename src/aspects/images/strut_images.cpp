@@ -115,16 +115,6 @@ StrutImages::StrutImages(const StrutSlice& slice)
   add_surface(slice_.whole(), 0);
 }
 
-// Of a family the rod counts as far as its end moves for as long an arc.
-std::array<Box, 2> StrutImages::halves_of(const Box& box, Surface /*parallel*/) const {
-  if (box.dimension == 2) return parallel_aspects::halves_of(box);
-  const double rod = box.width(2) / (pi * slice_.rod().upper());
-  if (!(rod > std::max(box.width(0), box.width(1)))) return parallel_aspects::halves_of(box);
-  std::array<Box, 2> halves{box, box};
-  halves[0].upper[2] = halves[1].lower[2] = box.center(2);
-  return halves;
-}
-
 std::optional<ImageStrip> StrutImages::strip_of(const Box& box, Surface /*parallel*/) const {
   const SliceCenter middle(box);
   const StrutSlice slices = slice_.over(box);

@@ -4,9 +4,9 @@
 
 #include "aspects/cusps/strut_slice.h"
 #include "aspects/images/singular_images.h"
+#include "model/angles.h"
 #include "parallel_aspects/aspects/box.h"
 
-#include <array>
 #include <optional>
 
 namespace parallel_aspects {
@@ -20,7 +20,7 @@ class StrutImages : public SingularImages {
 
  private:
   std::optional<ImageStrip> strip_of(const Box& box, Surface surface) const override;
-  std::array<Box, 2> halves_of(const Box& box, Surface surface) const override;
+  double half_turn(Surface /*parallel*/) const override { return pi * slice_.rod().upper(); }
 
   const StrutSlice& slice_;
 };

@@ -49,6 +49,10 @@ Interval range_of_joint(const HeldSlice& slice, std::size_t i, const Leg& leg) {
   return {least, std::max(least, std::min(leg.limits.upper, lengths.upper()))};
 }
 
+double in_turn_about(double middle, double angle) noexcept {
+  return middle + std::remainder(angle - middle, 2.0 * pi);
+}
+
 }  // namespace
 
 JointRanges::JointRanges(const Manipulator& manipulator, const HeldJoint& held, const HeldSlice& slice)
@@ -79,8 +83,8 @@ std::string JointRanges::unit() const {
 std::array<double, 2> JointRanges::values_of(const JointVector& actuated) const noexcept {
   std::array<double, 2> result{};
   for (std::size_t i = 0; i < 2; ++i) {
-    const double value = actuated[static_cast<Eigen::Index>(legs_[i])], middle = values_.center(i);
-    result[i] = are_angles_[i] ? middle + std::remainder(value - middle, 2.0 * pi) : value;
+    const double value = actuated[static_cast<Eigen::Index>(legs_[i])];
+    result[i] = are_angles_[i] ? in_turn_about(values_.center(i), value) : value;
   }
   return result;
 }
@@ -108,8 +112,8 @@ ValueSpace value_space_of(const Manipulator& manipulator) {
 std::array<double, 3> values_in(const ValueSpace& space, const JointVector& actuated) noexcept {
   std::array<double, 3> result{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const double value = actuated[static_cast<Eigen::Index>(i)], middle = space.values.center(i);
-    result[i] = space.are_angles[i] ? middle + std::remainder(value - middle, 2.0 * pi) : value;
+    const double value = actuated[static_cast<Eigen::Index>(i)];
+    result[i] = space.are_angles[i] ? in_turn_about(space.values.center(i), value) : value;
   }
   return result;
 }

@@ -51,4 +51,11 @@ std::vector<SolutionSet> find_solution_sets(const SolveAt& solve, ActuatedSpace&
   return sets;
 }
 
+double measure_without_number(const ActuatedSpace& space, const std::vector<SolutionSet>& sets) noexcept {
+  double result = space.unknown();
+  for (const SolutionSet& set : sets)
+    if (!set.solutions) result += set.measure;
+  return result;
+}
+
 }  // namespace parallel_aspects

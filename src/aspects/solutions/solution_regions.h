@@ -26,6 +26,10 @@ struct SolutionSet {
 std::vector<SolutionSet> find_solution_sets(const SolveAt& solve, ActuatedSpace& space,
                                             const MapControl& control, double least_share = 0.0);
 
+/// Of what has no number of solutions, but for the rounding of a sum [m^2 or m^3]: in no piece, or in a set
+/// without solutions that are known.
+double measure_without_number(const ActuatedSpace& space, const std::vector<SolutionSet>& sets) noexcept;
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_SOLUTION_REGIONS_H

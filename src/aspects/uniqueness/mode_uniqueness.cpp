@@ -66,12 +66,7 @@ class ModeRegions {
   const ValueSpace& values() const noexcept { return images_.space(); }
 
   /// What has no number of solutions.
-  double unknown() const {
-    double result = space_.unknown();
-    for (const SolutionSet& set : sets_)
-      if (!set.solutions) result += set.measure * rounded_up;
-    return result;
-  }
+  double unknown() const { return measure_without_number(space_, sets_); }
 
   /// Of what is in no cell, the share with each number of solutions, from 1, as far as some hundred draws
   /// tell.
@@ -159,12 +154,9 @@ class ModeRegions {
     if (!all) return std::nullopt;
     std::vector<Box> result;
     for (const SliceSolution& solution : *all) {
-      const std::array<int, 3> signs{slice.held_sign(slice.place(solution.enclosure)), solution.posture[0],
-                                     solution.posture[1]};
-      if (std::count(signs.begin(), signs.end(), 0) > 0) return std::nullopt;
-      const std::array<int, 3> of_mode{mode_.sign(held_of_modes), mode_.sign(slice.leg(0)),
-                                       mode_.sign(slice.leg(1))};
-      if (signs == of_mode) result.push_back(solution.enclosure);
+      const auto mode = slice.mode_of(solution.posture, slice.place(solution.enclosure));
+      if (!mode) return std::nullopt;
+      if (*mode == mode_) result.push_back(solution.enclosure);
     }
     return result;
   }

@@ -106,12 +106,7 @@ SliceOfValues::SliceOfValues(const Manipulator& manipulator, const HeldJoint& jo
     : held(joint), slice(make_held_slice(manipulator, held)), ranges(manipulator, held, *slice) {}
 
 std::optional<WorkingMode> SliceOfValues::mode_of(const SliceSolution& solution) const {
-  const int held_sign = slice->held_sign(slice->place(solution.enclosure));
-  if (held_sign == 0 || solution.posture[0] == 0 || solution.posture[1] == 0) return std::nullopt;
-  WorkingMode mode(slice_leg_count);
-  mode.set_sign(held.leg, held_sign);
-  for (std::size_t i = 0; i < 2; ++i) mode.set_sign(slice->leg(i), solution.posture[i]);
-  return mode;
+  return slice->mode_of(solution.posture, slice->place(solution.enclosure));
 }
 
 Pose SliceOfValues::pose_of(const Box& solution) const {

@@ -153,9 +153,7 @@ BasicComponent component_of_set(const DividedNumbers& numbers, const SolutionSet
 
 void find_numbers(std::size_t most_cells, const MapControl& control, Uniqueness& result) {
   const auto numbers = divided<DividedNumbers>(result.map, most_cells, control);
-  double unknown = numbers->space.unknown();
   for (const SolutionSet& set : numbers->sets) {
-    if (!set.solutions) unknown += set.measure;
     if (!set.solutions || set.solutions->empty()) continue;
     for (const PieceIndex piece : set.pieces) numbers->component_of[piece] = result.basic_components.size();
     add_component(component_of_set(*numbers, set), result);
@@ -163,7 +161,7 @@ void find_numbers(std::size_t most_cells, const MapControl& control, Uniqueness&
   result.component_of = [numbers](const JointVector& q, const WorkingMode& /*the only one*/) {
     return numbers->component_at(q);
   };
-  set_unknown(unknown, result);
+  set_unknown(measure_without_number(numbers->space, numbers->sets), result);
 }
 
 BasicRegion region_of(const DividedRegions& divided, const FoundRegion& found) {

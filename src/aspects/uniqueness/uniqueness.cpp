@@ -74,12 +74,7 @@ class CuspsOfSlice {
   /// Nothing where it is not known of the leg whose joint is held.
   std::optional<WorkingMode> mode_of(const CuspBox& cusp) const {
     const RoundingUpward rounding;
-    const int held_sign = slice_->held_sign(slice_->place(cusp.box));
-    if (held_sign == 0) return std::nullopt;
-    WorkingMode mode(manipulator_.leg_count());
-    mode.set_sign(held_.leg, held_sign);
-    for (std::size_t i = 0; i < 2; ++i) mode.set_sign(slice_->leg(i), cusp.posture[i]);
-    return mode;
+    return slice_->mode_of(cusp.posture, slice_->place(cusp.box));
   }
 
   void add(const CuspBox& box, CuspList& result) const {

@@ -28,14 +28,6 @@ using test::Robot;
 
 constexpr double pi = EIGEN_PI;
 
-std::shared_ptr<const Uniqueness> uniqueness_of_slice(const Robot& robot, double held) {
-  UniquenessOptions options;
-  options.slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, held}});
-  const UniquenessResult result = compute_uniqueness(robot, options);
-  EXPECT_TRUE(result) << result.message;
-  return result.uniqueness;
-}
-
 /// How far a platform is turned and moved from one pose to another, in the robot's size.
 double distance_between(const Manipulator& robot, const Pose& a, const Pose& b) {
   return a.orientation.angularDistance(b.orientation) + (a.position - b.position).norm() / robot.size();
@@ -103,7 +95,7 @@ TEST(CuspAspects, HoldBothSolutionsOfEqualSign) {
                                                      {test::three_rpr(), 14.98},
                                                      {test::three_rrr()->with_constraints({}), 0.3}};
   for (const auto& [robot, held] : slices) {
-    const auto found = uniqueness_of_slice(robot, held);
+    const auto found = test::uniqueness_of_slice(robot, 0, held);
     for (std::size_t i = 0; i < found->cusps.size(); i += test::is_sanitized ? 4 : 1) {
       const std::string text = robot->name() + ", cusp " + std::to_string(i + 1);
       ASSERT_GT(found->cusps[i].aspect, 0) << text;

@@ -35,17 +35,9 @@ using test::uniform;
 
 constexpr double pi = EIGEN_PI;
 
-std::shared_ptr<const Uniqueness> uniqueness_of_slice(const Robot& robot, double held) {
-  UniquenessOptions options;
-  options.slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, held}});
-  const UniquenessResult result = compute_uniqueness(robot, options);
-  EXPECT_TRUE(result) << result.message;
-  return result.uniqueness;
-}
-
 // The lengths of struts 2 and 3 at the cusps, found by Newton's method in double precision.
 TEST(Cusps, AreTheSixOfTheThreeRpr) {
-  const auto found = uniqueness_of_slice(test::three_rpr()->with_constraints({}), 14.98);
+  const auto found = test::uniqueness_of_slice(test::three_rpr()->with_constraints({}), 0, 14.98);
   const std::vector<std::array<double, 2>> expected{{0.84528, 3.77792},   {13.85146, 6.26010},
                                                     {16.02767, 29.56671}, {17.98855, 26.44618},
                                                     {30.44913, 26.61916}, {31.27613, 16.17845}};
@@ -62,7 +54,7 @@ TEST(Cusps, AreTheSixOfTheThreeRpr) {
 
 // With struts from 10 to 32 two of them are out of reach.
 TEST(Cusps, AreListedWithinLimits) {
-  const auto found = uniqueness_of_slice(test::three_rpr(), 14.98);
+  const auto found = test::uniqueness_of_slice(test::three_rpr(), 0, 14.98);
   EXPECT_TRUE(found->cusps_complete);
   EXPECT_EQ(found->cusps.size(), 4U);
 }

@@ -43,9 +43,7 @@ struct Whole {
   explicit Whole(const Robot& of) : robot(of) {
     UniquenessOptions options;
     options.most_cells = cells_of_test;
-    const UniquenessResult result = compute_uniqueness(robot, options);
-    EXPECT_TRUE(result) << result.message;
-    found = result.uniqueness;
+    found = test::uniqueness_of(robot, options);
   }
 
   std::string text(const JointVector& q) const {

@@ -29,11 +29,8 @@ MapSlice slice_of_first_strut(const Robot& robot, double held) {
 
 std::shared_ptr<const Uniqueness> uniqueness_of_slice(const Robot& robot, double held) {
   UniquenessOptions options;
-  options.slice = slice_of_first_strut(robot, held);
   options.most_cells = 400;  // numbers of solutions are not looked at here
-  const UniquenessResult result = compute_uniqueness(robot, options);
-  EXPECT_TRUE(result) << result.message;
-  return result.uniqueness;
+  return test::uniqueness_of_slice(robot, 0, held, options);
 }
 
 /// The image of det A = 0 in doubles: a segment in each triangle of a grid of the slice whose corners have

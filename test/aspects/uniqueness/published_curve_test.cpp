@@ -92,12 +92,6 @@ void expect_singular(const LocalCurve& there) {
   EXPECT_LT(there.slope, 1e-13);
 }
 
-std::shared_ptr<const Uniqueness> uniqueness_of(const test::Robot& robot, const UniquenessOptions& options) {
-  const UniquenessResult result = compute_uniqueness(robot, options);
-  EXPECT_TRUE(result) << result.message;
-  return result.uniqueness;
-}
-
 test::Robot robot_with_limits(const JointLimits& limits) {
   std::vector<Leg> legs = test::struts({{0.0, 0.0, 0.0}, {1.6, 0.0, 0.0}, {0.9, 0.6, 0.0}},
                                        {{0.0, 0.0, 0.0}, {1.4, 0.0, 0.0}, {0.7, 1.0, 0.0}});
@@ -111,7 +105,7 @@ class PublishedCurve : public testing::Test {
     robot = robot_with_limits(JointLimits{});
     UniquenessOptions options;
     options.slice = test::slice_of(robot, {{robot->leg(2).actuated_joint, 1.0}});
-    found = uniqueness_of(robot, options);
+    found = test::uniqueness_of(robot, options);
     ASSERT_TRUE(found);
   }
 
@@ -250,7 +244,7 @@ TEST(PublishedRegions, OfAllLengthsAreBasicComponents) {
                                              {6, {{2.221053, 2.252070, 1.580503}}}};
   UniquenessOptions options;
   options.most_cells = 30000;
-  const auto found = uniqueness_of(robot_with_limits(JointLimits{0.3, 2.15}), options);
+  const auto found = test::uniqueness_of(robot_with_limits(JointLimits{0.3, 2.15}), options);
   ASSERT_TRUE(found);
   EXPECT_GE(count_components(*found, regions), 5U);
 }

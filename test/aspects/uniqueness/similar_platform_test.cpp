@@ -106,10 +106,7 @@ std::shared_ptr<const Uniqueness> uniqueness_of(const test::Robot& robot,
                                                 const std::optional<double>& held = {}) {
   UniquenessOptions options;
   options.most_cells = 30000;
-  if (held) options.slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, *held}});
-  const UniquenessResult result = compute_uniqueness(robot, options);
-  EXPECT_TRUE(result) << result.message;
-  return result.uniqueness;
+  return held ? test::uniqueness_of_slice(robot, 0, *held, options) : test::uniqueness_of(robot, options);
 }
 
 /// No two solutions of a basic component lie in one connected set of the map, be sets that it does not prove

@@ -30,14 +30,6 @@ namespace {
 
 using test::Robot;
 
-std::shared_ptr<const Uniqueness> uniqueness_of(const Robot& robot, const HeldJoint& held) {
-  UniquenessOptions options;
-  options.slice = test::slice_of(robot, {{robot->leg(held.leg).actuated_joint, held.value}});
-  const UniquenessResult result = compute_uniqueness(robot, options);
-  EXPECT_TRUE(result) << result.message;
-  return result.uniqueness;
-}
-
 /// A robot with a joint held at a value, and what is known of its slice.
 struct Slice {
   Robot robot;
@@ -45,7 +37,9 @@ struct Slice {
   std::shared_ptr<const Uniqueness> found;
 
   Slice(const Robot& of, std::size_t leg, double value)
-      : robot(of), held{leg, value, of->leg(leg).actuated_by_angle()}, found(uniqueness_of(robot, held)) {}
+      : robot(of),
+        held{leg, value, of->leg(leg).actuated_by_angle()},
+        found(test::uniqueness_of_slice(robot, leg, value)) {}
 
   Pose random_pose(test::RandomRobots& random) const {
     return circle_of_anchor(*robot, held).pose(random.uniform(-pi, pi), random.uniform(-pi, pi));

@@ -228,14 +228,6 @@ TEST_P(SlicesIn, HaveNoImageOfASingularPoseInASet) {
   EXPECT_GT(found, test::is_sanitized ? 100 : 500);
 }
 
-std::shared_ptr<const Uniqueness> uniqueness_of(const Robot& robot, std::size_t leg, double value) {
-  UniquenessOptions options;
-  options.slice = test::slice_of(robot, {{robot->leg(leg).actuated_joint, value}});
-  const UniquenessResult result = compute_uniqueness(robot, options);
-  EXPECT_TRUE(result) << result.message;
-  return result.uniqueness;
-}
-
 /// Of aspects that the map tells, with how many of the poses are in each; empty where it can not tell of one.
 std::map<int, int> numbers_by_aspect(const Uniqueness& found, const JointVector& q,
                                      const DirectResult& solutions) {
@@ -298,7 +290,7 @@ void expect_measures(const Held& held, const Uniqueness& found, const Comparison
 
 void expect_numbers_of_direct_problem(const Robot& robot, std::size_t leg, double value, int samples) {
   const Held held(robot, leg, value);
-  const auto found = uniqueness_of(robot, leg, value);
+  const auto found = test::uniqueness_of_slice(robot, leg, value);
   ASSERT_TRUE(found && found->has_regions);
   EXPECT_LT(found->measure_unknown, 0.1 * held.ranges.values().measure());
   const Comparison comparison = compare_with_direct(robot, held, *found, samples);

@@ -25,18 +25,6 @@ namespace {
 using test::Robot;
 using test::uniform;
 
-std::shared_ptr<const Uniqueness> uniqueness_of(const Robot& robot, const UniquenessOptions& options = {}) {
-  const UniquenessResult result = compute_uniqueness(robot, options);
-  EXPECT_TRUE(result) << result.message;
-  return result.uniqueness;
-}
-
-std::shared_ptr<const Uniqueness> uniqueness_of_slice(const Robot& robot, double held) {
-  UniquenessOptions options;
-  options.slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, held}});
-  return uniqueness_of(robot, options);
-}
-
 Robot unlimited_three_rpr() { return test::three_rpr()->with_constraints({}); }
 
 /// The slice on a grid, filled over neighbours with the same number of direct solutions and sign of det A.
@@ -97,7 +85,7 @@ class FilledSlice {
 
 // Against filling the slice by the direct solver: basic regions over one set lie in parts of their own.
 TEST(Uniqueness, HasTheBasicRegionsOfTheSlice) {
-  const auto found = uniqueness_of_slice(unlimited_three_rpr(), 14.98);
+  const auto found = test::uniqueness_of_slice(unlimited_three_rpr(), 0, 14.98);
   const FilledSlice filled(*found);
   std::vector<const BasicRegion*> large;
   for (const BasicRegion& region : found->basic_regions)
@@ -112,7 +100,7 @@ TEST(Uniqueness, HasTheBasicRegionsOfTheSlice) {
 }
 
 TEST(Uniqueness, HasDomainsOfOneRegionASet) {
-  const auto found = uniqueness_of_slice(unlimited_three_rpr(), 14.98);
+  const auto found = test::uniqueness_of_slice(unlimited_three_rpr(), 0, 14.98);
   const auto same_set = [&](std::size_t a, std::size_t b) {
     return (found->basic_regions[a].actuated - found->basic_regions[b].actuated).norm() < 1e-6;
   };
@@ -133,7 +121,7 @@ TEST(Uniqueness, HasDomainsOfOneRegionASet) {
 
 // The six solutions of the region in the middle, three in each component.
 TEST(Uniqueness, HasThreeOfSixSolutionsInEachComponent) {
-  const auto found = uniqueness_of_slice(unlimited_three_rpr(), 14.98);
+  const auto found = test::uniqueness_of_slice(unlimited_three_rpr(), 0, 14.98);
   ASSERT_EQ(found->regions.size(), 3U);
   EXPECT_EQ(found->regions[2].solutions, 6U);
   for (const BasicComponent& component : found->basic_components) {
@@ -146,7 +134,7 @@ TEST(Uniqueness, HasThreeOfSixSolutionsInEachComponent) {
 
 TEST(Uniqueness, IsTheWholeAspectWhereSolutionsAreMirrored) {
   for (const Robot& robot : {test::five_bar(), test::bipod()}) {
-    const auto found = uniqueness_of(robot);
+    const auto found = test::uniqueness_of(robot);
     EXPECT_TRUE(found->at_most_one_a_sign);
     EXPECT_TRUE(found->cusps_complete && found->cusps.empty());
     ASSERT_EQ(found->domains.size(), found->map->aspects().size());

@@ -35,9 +35,7 @@ constexpr std::size_t few_cells = 24000;
 std::shared_ptr<const Uniqueness> computed(const Robot& robot, std::size_t cells) {
   UniquenessOptions options;
   options.most_cells = cells;
-  const UniquenessResult result = compute_uniqueness(robot, options);
-  EXPECT_TRUE(result) << result.message;
-  return result.uniqueness;
+  return test::uniqueness_of(robot, options);
 }
 
 /// Of the 3-RPR, computed once.
