@@ -94,3 +94,9 @@ catkin_package(
     visualization_msgs
   DEPENDS EIGEN3 ${optional_catkin_dependencies}
 )
+
+# What catkin has added to every source from here on is for those that know ROS: the core is compiled the same with and
+# without it, so that what `scripts/aspects` has compiled serves the node too.
+get_directory_property(catkin_definitions COMPILE_DEFINITIONS)
+get_directory_property(catkin_generated_headers INCLUDE_DIRECTORIES)
+set_directory_properties(PROPERTIES COMPILE_DEFINITIONS "" INCLUDE_DIRECTORIES "")

@@ -6,17 +6,13 @@
 export PATH="/usr/bin:/bin:${PATH}"
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
-workspace="${root}/.workspace"
 
-# Where the `aspects` command is built, and the command: in a workspace that the demo or the tests have built the
-# library is there already; else the core alone is built.
-if [ -f "${workspace}/build/build.ninja" ]; then
-  command_build="${workspace}/build"
-  command="${workspace}/devel/lib/parallel_aspects/aspects"
-else
-  command_build="${root}/build/core"  # rosrun does not look into build/
-  command="${command_build}/src/tools/aspects"
-fi
+# The one build tree of command, node, plugins, Python module and tests. rosrun does not look into build/.
+build="${root}/build/release"
+devel="${build}/devel"
+logs="${root}/build/logs"
+programs="${devel}/lib/parallel_aspects"
+command="${programs}/aspects"
 
 say() { printf '\n== %s\n' "$*"; }
 
@@ -55,10 +51,18 @@ install_packages() {
   mapfile -t missing < <(missing_packages "$@")
   [ "${#missing[@]}" -gt 0 ] || return 0
   command -v apt-get > /dev/null || fail "these packages are missing: ${missing[*]}"
-  say "Installing ${missing[*]}"
-  as_root apt-get update -q
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y "${missing[@]}"
+  say "Installing ${#missing[@]} packages with all that they need: ${missing[*]}"
+  quietly "${logs}/install_packages" install_from_debian "${missing[@]}" ||
+    fail "apt-get could not install them; what it printed is above and in ${logs}/install_packages"
 }
+
+install_from_debian() {
+  as_root apt-get update -q && as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y "$@"
+}
+
+ros_is_installed() { command -v rospack > /dev/null && [ -n "$(find_package_path roscpp)" ]; }
+
+find_package_path() { rospack find "$1" 2> /dev/null || true; }
 
 # Options for every cmake: ccache, where it is there, which may take precompiled headers for what they were made of.
 cmake_options=()
@@ -67,6 +71,10 @@ if command -v ccache > /dev/null; then cmake_options+=(-DCMAKE_CXX_COMPILER_LAUN
 
 # For what is built once, rather than worked on: a room at a time takes half the processor time.
 by_room=(-DPARALLEL_ASPECTS_BY_ROOM=ON)
+
+# What decides how a source of the package is compiled. Warnings are errors with the compiler that they were looked at with.
+release=(-DCMAKE_BUILD_TYPE=Release -DPARALLEL_ASPECTS_PRECOMPILED_HEADERS=tests "${by_room[@]}")
+if [ "$(g++ -dumpversion 2> /dev/null)" = 12 ]; then release+=(-DPARALLEL_ASPECTS_WERROR=ON); fi
 
 # quietly LOG COMMAND...: shows the output only where the command fails.
 quietly() {
@@ -79,26 +87,88 @@ quietly() {
   fi
 }
 
-# A catkin workspace of its own, with links to what this package is made of. Not one link to all of it: rosrun would
-# find the workspace in the package, and each program twice.
-prepare_workspace() {
-  local package="${workspace}/src/parallel_aspects" entry
-  [ ! -L "${package}" ] || rm "${package}"
-  mkdir -p "${package}"
-  # Tests run in the environment of the first configuration, where a folder counts that exists by then.
-  mkdir -p "${workspace}/devel/lib/python3/dist-packages"
-  find "${package}" -mindepth 1 -maxdepth 1 -xtype l -delete
-  for entry in "${root}"/*; do
-    case "${entry##*/}" in build* | devel | install) continue ;; esac
-    [ -L "${package}/${entry##*/}" ] || ln -s "${entry}" "${package}"
+# configure OPTION...: the build tree, with options that all scripts share, so that none compiles what another has
+# compiled. What another has asked for stays on. ROS is looked for each time: the core is compiled the same with and without.
+configure() {
+  local ros=OFF
+  if ros_is_installed; then
+    ros=ON
+    # Tests run in the environment of the first configuration, where a folder counts that exists by then.
+    mkdir -p "${devel}/lib/python3/dist-packages"
+  fi
+  cmake -S "${root}" -B "${build}" -G Ninja "${release[@]}" -DBUILD_SHARED_LIBS=ON -DPARALLEL_ASPECTS_ROS="${ros}" \
+    -DCATKIN_DEVEL_PREFIX="${devel}" -DCMAKE_RUNTIME_OUTPUT_DIRECTORY="${programs}" "${cmake_options[@]}" "$@"
+}
+
+# Reads what ninja prints, keeps it in LOG, and says now and then how far it is.
+show_progress() {
+  local log="$1" line done total began="${SECONDS}" pause=30 next left
+  [ ! -t 2 ] || pause=2
+  next=$((began + pause))
+  while IFS= read -r line; do
+    printf '%s\n' "${line}" >> "${log}"
+    [[ "${line}" =~ ^\[([0-9]+)/([0-9]+)\] ]] && [ "${SECONDS}" -ge "${next}" ] || continue
+    next=$((SECONDS + pause)) done="${BASH_REMATCH[1]}" total="${BASH_REMATCH[2]}"
+    left=$(((SECONDS - began) * (total - done) / done))
+    printf 'building %d of %d, about %s left\n' "${done}" "${total}" "$(duration "${left}")" >&2
   done
 }
 
-# build_workspace CMAKE_OPTION...
-# As many jobs as processors: by itself catkin_make starts no second one while the load is at their number, which its own
-# jobs and whatever else runs keep it at.
-build_workspace() {
-  prepare_workspace
-  (cd "${workspace}" && ROS_PARALLEL_JOBS="${ROS_PARALLEL_JOBS:--j$(nproc)}" \
-    catkin_make --use-ninja -DCMAKE_BUILD_TYPE=Release "${cmake_options[@]}" "$@")
+duration() {
+  if [ "$1" -ge 90 ]; then echo "$((($1 + 30) / 60)) min"; else echo "$1 s"; fi
+}
+
+# build_in FOLDER LOG TARGET...: with its progress; what the compiler prints is shown where it fails.
+build_in() {
+  local folder="$1" log="$2"
+  shift 2
+  cmake --build "${folder}" --target "$@" 2>&1 | show_progress "${log}"
+}
+
+# Whether the build tree is configured with all these options.
+is_configured() {
+  local option
+  [ -f "${build}/build.ninja" ] || return 1
+  for option in "$@"; do
+    option="${option#-D}"
+    grep -q "^${option%%=*}:[A-Z]*=${option#*=}\$" "${build}/CMakeCache.txt" || return 1
+  done
+}
+
+# build_targets NAME TARGET...: in the build tree, one script at a time, with what `build_options` has for cmake. NAME is that
+# of the log.
+build_options=()
+build_targets() {
+  local log="${logs}/$1" status=0
+  shift
+  mkdir -p "${build}" "${logs}"
+  exec 9> "${build}/lock"
+  flock 9
+  : > "${log}"
+  is_configured "${build_options[@]}" || configure "${build_options[@]}" >> "${log}" 2>&1 || status=1
+  [ "${status}" -ne 0 ] || build_in "${build}" "${log}" "$@" || status=1
+  exec 9>&-
+  [ "${status}" -eq 0 ] || grep -v '^\[' "${log}" | tail -n 200 >&2
+  return "${status}"
+}
+
+# build_benchmark NAME: a program of benchmark/.
+build_benchmark() {
+  build_options=(-DPARALLEL_ASPECTS_BENCHMARKS=ON)
+  install_packages core benchmark >&2
+  build_targets "build_$1" "$1" || fail "the build failed; its output is above and in ${logs}/build_$1"
+}
+
+# The environment of the tree's devel space, and a master of its own that is reached where the machine's name is not known.
+use_devel_space() {
+  set +u
+  # shellcheck disable=SC1091
+  source "${devel}/setup.bash"
+  set -u
+  export ROS_HOSTNAME=localhost
+  unset ROS_IP
+}
+
+free_port() {
+  python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])'
 }

@@ -60,7 +60,7 @@ class RandomIntervals {
   std::mt19937_64 random_{42};
 };
 
-std::string text(const Interval& a) {
+std::string pasted(const Interval& a) {
   char buffer[100];
   std::snprintf(buffer, sizeof(buffer), "Interval(%a, %a)", a.lower(), a.upper());
   return buffer;
@@ -83,10 +83,10 @@ void check_binary(const std::function<Interval(const Interval&, const Interval&)
     const Interval result = rounded([&] { return ours(a, b); });
     Reference x(a), y(b), exact;
     theirs(exact.get(), x.get(), y.get());
-    ASSERT_TRUE(exact.enclosed_in(result)) << text(a) << ", " << text(b) << " -> " << text(result);
+    ASSERT_TRUE(exact.enclosed_in(result)) << pasted(a) << ", " << pasted(b) << " -> " << pasted(result);
     const double magnitude = std::max(std::abs(result.lower()), std::abs(result.upper()));
     ASSERT_LE(result.upper() - result.lower(), exact.width() + 0x1p-51 * magnitude + 1e-300)
-        << text(a) << ", " << text(b) << " -> " << text(result);
+        << pasted(a) << ", " << pasted(b) << " -> " << pasted(result);
   }
 }
 
@@ -100,9 +100,9 @@ void check_unary(const std::function<Interval(const Interval&)>& ours,
     const Interval result = rounded([&] { return ours(a); });
     Reference x(a), exact;
     theirs(exact.get(), x.get());
-    ASSERT_TRUE(exact.enclosed_in(result)) << text(a) << " -> " << text(result);
+    ASSERT_TRUE(exact.enclosed_in(result)) << pasted(a) << " -> " << pasted(result);
     const double magnitude = std::max(std::abs(result.lower()), std::abs(result.upper()));
-    ASSERT_LE(result.upper() - result.lower(), exact.width() + 0x1p-50 * magnitude + 1e-300) << text(a);
+    ASSERT_LE(result.upper() - result.lower(), exact.width() + 0x1p-50 * magnitude + 1e-300) << pasted(a);
   }
 }
 

@@ -13,9 +13,7 @@
 namespace parallel_aspects {
 namespace {
 
-using SpaceAndActuation = std::tuple<TaskSpace, test::ActuationKind>;
-
-class Inverse : public testing::TestWithParam<SpaceAndActuation> {};
+class Inverse : public testing::TestWithParam<test::SpaceAndActuation> {};
 
 // Every mode that can reach assembles with the pose, and has the signs of B that name it.
 TEST_P(Inverse, AssemblesWithTheSignsOfItsMode) {
@@ -56,15 +54,10 @@ TEST_P(Inverse, OutOfReachMeansThatNoDriveValueAssembles) {
   }
 }
 
-std::string case_name(const testing::TestParamInfo<SpaceAndActuation>& info) {
-  static const char* const kinds[] = {"revolute", "prismatic", "strut", "elbow"};
-  return std::string(name(std::get<0>(info.param))) + "_" + kinds[static_cast<int>(std::get<1>(info.param))];
-}
-
 INSTANTIATE_TEST_SUITE_P(EverySpaceAndActuation, Inverse,
                          testing::Combine(testing::ValuesIn(test::all_task_spaces),
                                           testing::ValuesIn(test::all_actuation_kinds)),
-                         case_name);
+                         test::space_and_actuation_name);
 
 TEST(InverseModes, AreAsManyAsTheFieldSays) {
   EXPECT_EQ(working_modes(*test::bipod()).size(), 1U);

@@ -13,9 +13,7 @@
 namespace parallel_aspects {
 namespace {
 
-using SpaceAndActuation = std::tuple<TaskSpace, test::ActuationKind>;
-
-class Jacobians : public testing::TestWithParam<SpaceAndActuation> {};
+class Jacobians : public testing::TestWithParam<test::SpaceAndActuation> {};
 
 constexpr double step = 1e-5;
 constexpr double tolerance = 1e-8;
@@ -119,15 +117,10 @@ TEST_P(Jacobians, HaveEntriesOfBUpToTheLargest) {
   EXPECT_GT(largest_share, kind == test::ActuationKind::strut ? -1.0 : 0.9);
 }
 
-std::string case_name(const testing::TestParamInfo<SpaceAndActuation>& info) {
-  static const char* const kinds[] = {"revolute", "prismatic", "strut", "elbow"};
-  return std::string(name(std::get<0>(info.param))) + "_" + kinds[static_cast<int>(std::get<1>(info.param))];
-}
-
 INSTANTIATE_TEST_SUITE_P(EverySpaceAndActuation, Jacobians,
                          testing::Combine(testing::ValuesIn(test::all_task_spaces),
                                           testing::ValuesIn(test::all_actuation_kinds)),
-                         case_name);
+                         test::space_and_actuation_name);
 
 }  // namespace
 }  // namespace parallel_aspects

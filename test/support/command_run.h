@@ -11,6 +11,8 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -30,6 +32,11 @@ inline Outcome run(std::vector<const char*> arguments, const std::atomic<bool>* 
   const int code = tools::run_command(static_cast<int>(arguments.size()), arguments.data(),
                                       {output, messages, false, interrupted});
   return {code, output.str(), messages.str()};
+}
+
+inline std::string contents_of(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 /// The result of a command that is expected to succeed, and to say nothing besides.

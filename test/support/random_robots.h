@@ -5,11 +5,14 @@
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
+#include <gtest/gtest.h>
+
 #include "support/robots.h"
 #include <array>
 #include <memory>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace parallel_aspects::test {
@@ -88,6 +91,14 @@ class RandomRobots {
 
   std::mt19937 engine_;
 };
+
+using SpaceAndActuation = std::tuple<TaskSpace, ActuationKind>;
+
+/// Of a parametrised test.
+inline std::string space_and_actuation_name(const testing::TestParamInfo<SpaceAndActuation>& info) {
+  static const char* const kinds[] = {"revolute", "prismatic", "strut", "elbow"};
+  return std::string(name(std::get<0>(info.param))) + "_" + kinds[static_cast<int>(std::get<1>(info.param))];
+}
 
 }  // namespace parallel_aspects::test
 

@@ -71,6 +71,14 @@ inline std::shared_ptr<const Manipulator> five_bar() {
       {planar_revolute_leg(0, {0.0, 0.0}, 8.0, 5.0), planar_revolute_leg(1, {9.0, 0.0}, 5.0, 8.0)});
 }
 
+inline std::shared_ptr<const Manipulator> limited_five_bar() {
+  ManipulatorDescription description{"limited_five_bar", TaskSpace::T2, five_bar()->legs(), "base", {}};
+  description.task_frame.setIdentity();
+  description.legs[0].limits = {-1.0, 1.5};
+  description.legs[1].limits = {0.5, 5.5};
+  return std::make_shared<const Manipulator>(description);
+}
+
 /// Bipod 2-RPR with base points (0,0) and (5,0) and struts limited to [2,6] and [4,9].
 inline std::shared_ptr<const Manipulator> bipod() {
   std::vector<Leg> legs = struts({{0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}}, Points(2, Eigen::Vector3d::Zero()));

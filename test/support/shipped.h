@@ -23,6 +23,13 @@ inline std::shared_ptr<const Mechanism> shipped(const std::string& robot) {
   return load_mechanism(source_file("urdf/" + urdf), urdf, source_file("config/robots/" + config), config);
 }
 
+/// A shipped robot with the limits of its actuated joints, and no other constraint.
+inline std::shared_ptr<const Manipulator> with_actuated_limits(const std::string& name) {
+  ConstraintKinds kinds;
+  kinds[static_cast<std::size_t>(ConstraintKind::actuated_limits)] = true;
+  return shipped(name)->manipulator()->with_constraints(kinds);
+}
+
 }  // namespace parallel_aspects::test
 
 #endif  // PARALLEL_ASPECTS_TEST_SUPPORT_SHIPPED_H

@@ -18,14 +18,14 @@ namespace parallel_aspects {
 namespace {
 
 // A direct solution of a random robot with random actuated joints, and a change of the actuated joints.
-struct Case {
+struct TriedStep {
   std::shared_ptr<const Manipulator> robot;
   Pose pose;
   JointVector q;
   TaskVector direction;
 };
 
-std::string text(const Case& tried) {
+std::string text(const TriedStep& tried) {
   std::ostringstream stream;
   stream.precision(17);
   stream << tried.robot->name() << " at " << to_string(tried.robot->task_space(), tried.pose) << ", q "
@@ -33,8 +33,8 @@ std::string text(const Case& tried) {
   return stream.str();
 }
 
-std::optional<Case> random_case(test::RandomRobots& random, TaskSpace space, test::ActuationKind kind) {
-  Case made{random.robot(space, kind), random.pose(space), {}, {}};
+std::optional<TriedStep> random_case(test::RandomRobots& random, TaskSpace space, test::ActuationKind kind) {
+  TriedStep made{random.robot(space, kind), random.pose(space), {}, {}};
   const auto modes = working_modes(*made.robot);
   const auto pick = static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(modes.size())));
   const InverseSolution solution = inverse(*made.robot, made.pose, modes[std::min(pick, modes.size() - 1)]);
@@ -75,7 +75,7 @@ Pose within(const Manipulator& robot, const Pose& middle, double radius, test::R
 // solution or leaves the ball.
 TEST(PoseCertifier, WhatItCertifiesHoldsAtRandomPoints) {
   int certified = 0;
-  const int made = for_random_cases(11, 150, [&](const Case& tried, test::RandomRobots& random) {
+  const int made = for_random_cases(11, 150, [&](const TriedStep& tried, test::RandomRobots& random) {
     const PoseCertifier certifier(*tried.robot);
     CertifiedPoint point;
     if (!certify_solution(certifier, tried.pose, tried.q, point)) return;
@@ -109,7 +109,7 @@ TEST(PoseCertifier, WhatItCertifiesHoldsAtRandomPoints) {
 
 // What the enclosures say of F and B holds for the values in doubles, to their rounding.
 TEST(PoseCertifier, EnclosuresHoldTheValuesInDoubles) {
-  for_random_cases(12, 100, [&](const Case& tried, test::RandomRobots&) {
+  for_random_cases(12, 100, [&](const TriedStep& tried, test::RandomRobots&) {
     const TaskVector f = residuals(*tried.robot, tried.pose, tried.q);
     const TaskVector b = inverse_diagonal(*tried.robot, tried.pose, tried.q);
     const double rounding = 1e-13 * tried.robot->size() * tried.robot->size();
@@ -154,7 +154,7 @@ TEST(PoseCertifier, TheLibraryKnowsSineAndCosine) {
 
 // The distance is never less than that of the exponential coordinates.
 TEST(PoseCertifier, DistanceBoundsTheLengthOfTheTwist) {
-  for_random_cases(13, 40, [&](const Case& tried, test::RandomRobots& random) {
+  for_random_cases(13, 40, [&](const TriedStep& tried, test::RandomRobots& random) {
     const PoseCertifier certifier(*tried.robot);
     const double radius = std::pow(10.0, random.uniform(-8.0, -0.5));
     TaskVector twist(tried.q.size());

@@ -50,7 +50,7 @@ double least_norm(const std::function<Eigen::Vector3d(const Eigen::Vector2d&)>& 
 struct WayOut {
   double loose = 0.0, bend = 0.0, normal = 0.0;
 };
-constexpr WayOut straight{1.0, 0.0, 0.0}, bent{1.0, 3.0, 0.0}, across{0.0, 0.0, 1.0};
+constexpr WayOut along_fold{1.0, 0.0, 0.0}, bent{1.0, 3.0, 0.0}, across{0.0, 0.0, 1.0};
 
 /// The poses next to one with det A = 0.
 class LocalChart {
@@ -165,8 +165,8 @@ LocalChart fold() { return {14.4, -3.0, 2.6}; }
 
 TEST(StandOffFromNoise, IsASquareRootAtAFoldAndACubeRootAtACusp) {
   for (const double share : {0.005, 0.01, 0.02}) {
-    EXPECT_NEAR(fold().power(straight, share), 2.0, 0.05) << share;
-    EXPECT_NEAR(fold().power(straight, -share), 2.0, 0.05) << share;
+    EXPECT_NEAR(fold().power(along_fold, share), 2.0, 0.05) << share;
+    EXPECT_NEAR(fold().power(along_fold, -share), 2.0, 0.05) << share;
     EXPECT_NEAR(cusp().power(bent, share), 3.0, 0.05) << share;
   }
 }
@@ -175,20 +175,21 @@ TEST(StandOffFromNoise, IsASquareRootAtAFoldAndACubeRootAtACusp) {
 // det A is from 0 there too, and that grows with the square of the path along the surface.
 TEST(StandOffThatIsSaid, IsASquareRootOfTheNoiseTowardsTheSurface) {
   for (const double far : {-0.1, 0.1}) {
-    EXPECT_NEAR(fold().stand_off(straight, far, 1e-10) / fold().stand_off(straight, far, 1e-12), 10.0, 0.5);
+    EXPECT_NEAR(fold().stand_off(along_fold, far, 1e-10) / fold().stand_off(along_fold, far, 1e-12), 10.0,
+                0.5);
     EXPECT_NEAR(cusp().stand_off(across, far, 1e-10) / cusp().stand_off(across, far, 1e-12), 10.0, 0.5);
-    EXPECT_NEAR(cusp().stand_off(straight, far, 1e-10) / cusp().stand_off(straight, far, 1e-12),
+    EXPECT_NEAR(cusp().stand_off(along_fold, far, 1e-10) / cusp().stand_off(along_fold, far, 1e-12),
                 std::sqrt(10.0), 0.3);
   }
 }
 
 TEST(StandOffThatIsSaid, IsNoLessThanNoiseHides) {
   for (const double share : {0.005, 0.01, 0.02, 0.04}) {
-    const double at_fold = fold().hiding_noise(straight, share), at_cusp = cusp().hiding_noise(bent, share);
-    EXPECT_FALSE(fold().can_distinguish(straight, share, at_fold)) << share;
+    const double at_fold = fold().hiding_noise(along_fold, share), at_cusp = cusp().hiding_noise(bent, share);
+    EXPECT_FALSE(fold().can_distinguish(along_fold, share, at_fold)) << share;
     EXPECT_FALSE(cusp().can_distinguish(bent, share, at_cusp)) << share;
-    EXPECT_GE(fold().stand_off(straight, 0.1, at_fold), fold().distance_at(straight, share)) << share;
-    EXPECT_GE(cusp().stand_off(straight, 0.1, at_cusp), cusp().distance_at(bent, share)) << share;
+    EXPECT_GE(fold().stand_off(along_fold, 0.1, at_fold), fold().distance_at(along_fold, share)) << share;
+    EXPECT_GE(cusp().stand_off(along_fold, 0.1, at_cusp), cusp().distance_at(bent, share)) << share;
   }
 }
 

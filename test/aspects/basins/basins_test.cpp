@@ -24,7 +24,7 @@ namespace {
 using Robot = std::shared_ptr<const Manipulator>;
 
 /// A map of two coordinates with the pose of each pair of their values.
-struct Planes {
+struct PlaneOfPoses {
   const char* name;
   std::function<Robot()> make;
   test::Held held;  // of a slice; empty for a map
@@ -32,9 +32,9 @@ struct Planes {
 
 /// The widest path on a grid, by code of its own: the largest index that a path of neighbouring grid points
 /// can keep, each of eight being a neighbour.
-class Grid {
+class EightNeighbours {
  public:
-  Grid(const AspectMap& map, const WorkingMode& mode, int sign, ParallelIndex index, int count)
+  EightNeighbours(const AspectMap& map, const WorkingMode& mode, int sign, ParallelIndex index, int count)
       : map_(map),
         count_(count),
         values_(static_cast<std::size_t>(count) * static_cast<std::size_t>(count), 0.0) {
@@ -131,7 +131,7 @@ bool is_precise(const IndexRange& range, ParallelIndex index) {
   return range.upper - range.lower <= std::max(0.05 * range.upper, absolute);
 }
 
-class BasinsTest : public testing::TestWithParam<Planes> {
+class BasinsTest : public testing::TestWithParam<PlaneOfPoses> {
  protected:
   void SetUp() override {
     const Robot robot = GetParam().make();
@@ -150,7 +150,7 @@ TEST_P(BasinsTest, BottlenecksAreThoseOfAGrid) {
   const WorkingMode mode(map->manipulator()->leg_count());
   std::mt19937_64 random{7};
   for (const ParallelIndex index : {ParallelIndex::normalised, ParallelIndex::determinant}) {
-    const Grid grid(*map, mode, map->aspects().front().determinant_sign, index, count);
+    const EightNeighbours grid(*map, mode, map->aspects().front().determinant_sign, index, count);
     const auto draw = [&] {
       for (int i = 0; i < 1000000; ++i) {
         const int a = static_cast<int>(random() % count), b = static_cast<int>(random() % count);
@@ -230,7 +230,7 @@ TEST(Basins, EndAtSerialSingularities) {
   for (const Basin& basin : basins->basins) {
     if (basin.deeper || basin.depth.lower > 0.7) continue;
     found = true;
-    const Grid grid(*map, options.modes[0], -1, ParallelIndex::normalised, 1000);
+    const EightNeighbours grid(*map, options.modes[0], -1, ParallelIndex::normalised, 1000);
     // The deepest pose is so near to the singularity that the next point of the grid is out of reach.
     const Pose& within = map->aspects()[static_cast<std::size_t>(basin.aspect - 1)].deepest;
     const double largest = grid.largest_from(within.position.x(), within.position.y(), 0.02);
@@ -248,7 +248,7 @@ TEST_P(BasinsTest, NoPoseIsDeeperThanItsAspect) {
   ASSERT_TRUE(basins);
   const WorkingMode mode(map->manipulator()->leg_count());
   std::vector<double> largest(map->aspects().size(), 0.0);
-  const Grid grid(*map, mode, 1, ParallelIndex::normalised, 150),
+  const EightNeighbours grid(*map, mode, 1, ParallelIndex::normalised, 150),
       other(*map, mode, -1, ParallelIndex::normalised, 150);
   for (int i = 0; i < 150; ++i)
     for (int k = 0; k < 150; ++k) {
@@ -268,7 +268,7 @@ TEST_P(BasinsTest, NoPoseIsDeeperThanItsAspect) {
     EXPECT_GE(parallel_index(*map->manipulator(), basin.deepest, found.q), basin.depth.lower - 1e-12);
     if (!map->slice()) {
       const int sign = map->aspects()[static_cast<std::size_t>(basin.aspect - 1)].determinant_sign;
-      const Grid fine(*map, mode, sign, ParallelIndex::normalised, 600);
+      const EightNeighbours fine(*map, mode, sign, ParallelIndex::normalised, 600);
       const double level = basin.deeper ? basin.saddle.upper : 0.02;
       EXPECT_LE(fine.largest_from(basin.deepest.position.x(), basin.deepest.position.y(), level),
                 basin.depth.upper + 1e-12);
@@ -286,9 +286,9 @@ TEST_P(BasinsTest, NoPoseIsDeeperThanItsAspect) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, BasinsTest,
-                         testing::Values(Planes{"five_bar", test::five_bar, {}},
-                                         Planes{"three_rrr", test::three_rrr, {{"phi", 0.3}}},
-                                         Planes{"delta", test::delta, {{"z", -0.6}}}),
+                         testing::Values(PlaneOfPoses{"five_bar", test::five_bar, {}},
+                                         PlaneOfPoses{"three_rrr", test::three_rrr, {{"phi", 0.3}}},
+                                         PlaneOfPoses{"delta", test::delta, {{"z", -0.6}}}),
                          [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace

@@ -24,8 +24,6 @@ using test::ActuationKind;
 using Robot = std::shared_ptr<const Manipulator>;
 using Point2 = std::array<double, 2>;
 
-constexpr double pi = EIGEN_PI;
-
 /// A robot of SO3 with the joint of its second leg held where a random pose has it, and that pose.
 struct Held {
   Robot robot;
@@ -71,7 +69,7 @@ TEST(SphericalHeldSlice, HasTheOrientationsThatKeepTheHeldRod) {
       const Point2 at = random_point(random);
       const Pose pose = slice.pose(at);
       const Eigen::Quaterniond expected =
-          Eigen::AngleAxisd(pi * at[0], c) * start * Eigen::AngleAxisd(pi * at[1], b);
+          Eigen::AngleAxisd(EIGEN_PI * at[0], c) * start * Eigen::AngleAxisd(EIGEN_PI * at[1], b);
       EXPECT_LT(pose.orientation.angularDistance(expected), 1e-7) << held.robot->name();
       EXPECT_NEAR(leg.residual(pose, held.joint.value), 0.0, 1e-12) << held.robot->name();
     }
@@ -101,13 +99,13 @@ void expect_derivatives_of_residual(const Held& held, const SphericalHeldSlice& 
   const Leg& leg = held.robot->leg(slice.leg(i));
   const double q = joint_value(leg, slice.pose(at).transform(leg.anchor), sign);
   const auto half_residual = [&](const Point2& x) {
-    return 0.5 * leg.residual(slice.pose({x[0] / pi, x[1] / pi}), q);
+    return 0.5 * leg.residual(slice.pose({x[0] / EIGEN_PI, x[1] / EIGEN_PI}), q);
   };
   const Jet<3> jet = over->equation.jet<3>(place.over());
   for (std::size_t n = 1; n <= 3; ++n)
     for (std::size_t k = 0; k <= n; ++k)
-      EXPECT_NEAR(middle_of(jet.at(n - k, k)), difference(half_residual, {pi * at[0], pi * at[1]}, n - k, k),
-                  1e-5)
+      EXPECT_NEAR(middle_of(jet.at(n - k, k)),
+                  difference(half_residual, {EIGEN_PI * at[0], EIGEN_PI * at[1]}, n - k, k), 1e-5)
           << held.robot->name() << ", leg " << slice.leg(i) + 1 << ": " << at[0] << ", " << at[1];
 }
 

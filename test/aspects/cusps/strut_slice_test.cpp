@@ -21,11 +21,9 @@ namespace {
 using test::Robot;
 using test::uniform;
 
-constexpr double pi = EIGEN_PI;
-
 // Half the squared length of a leg by the inverse problem, at a direction and an angle [half turns].
 double half_square(const Robot& robot, const MapSlice& slice, std::size_t leg, double a, double phi) {
-  const Pose pose = circle_of_anchor(*robot, *slice.joint).pose(pi * a, pi * phi);
+  const Pose pose = circle_of_anchor(*robot, *slice.joint).pose(EIGEN_PI * a, EIGEN_PI * phi);
   const double q = inverse(*robot, pose, working_modes(*robot).front()).q[static_cast<Eigen::Index>(leg)];
   return 0.5 * robot->leg(leg).squared_distance(q);
 }
@@ -79,8 +77,8 @@ TEST(StrutSlice, HasDerivativesThatAreDifferences) {
       return struts.half_square<3>(0, SliceTurns(std::array<double, 2>{x, y}));
     };
     const auto at = jet(a, phi);
-    const std::array<Jet<3>, 2> after{jet(a + step / pi, phi), jet(a, phi + step / pi)};
-    const std::array<Jet<3>, 2> before{jet(a - step / pi, phi), jet(a, phi - step / pi)};
+    const std::array<Jet<3>, 2> after{jet(a + step / EIGEN_PI, phi), jet(a, phi + step / EIGEN_PI)};
+    const std::array<Jet<3>, 2> before{jet(a - step / EIGEN_PI, phi), jet(a, phi - step / EIGEN_PI)};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; i + k < 3; ++k)
         for (std::size_t axis = 0; axis < 2; ++axis) {

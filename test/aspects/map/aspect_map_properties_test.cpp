@@ -43,18 +43,10 @@ bool too_close_to_decide(const Manipulator& robot, const Pose& pose, const Worki
          std::abs(direct_determinant(robot, pose, solution.q)) < 1e-8 * size * size;
 }
 
-struct Case {
+struct MappedRobot {
   const char* name;
   std::function<std::shared_ptr<const Manipulator>()> make;
 };
-
-std::shared_ptr<const Manipulator> limited_five_bar() {
-  ManipulatorDescription description{"limited_five_bar", TaskSpace::T2, test::five_bar()->legs(), "base", {}};
-  description.task_frame.setIdentity();
-  description.legs[0].limits = {-1.0, 1.5};
-  description.legs[1].limits = {0.5, 5.5};
-  return std::make_shared<const Manipulator>(description);
-}
 
 // Axis down, zero direction oblique, anchors off the operational point and out of the plane.
 std::shared_ptr<const Manipulator> oblique_five_bar() {
@@ -98,7 +90,7 @@ std::shared_ptr<const Manipulator> elbows() {
   return std::make_shared<const Manipulator>(description);
 }
 
-class MapProperties : public testing::TestWithParam<Case> {
+class MapProperties : public testing::TestWithParam<MappedRobot> {
  protected:
   std::shared_ptr<const Manipulator> robot = GetParam().make();
   std::shared_ptr<const AspectMap> map = compute_aspect_map(robot).map;
@@ -183,10 +175,11 @@ TEST_P(MapProperties, LeavesOfAnAspectAddUpToItsMeasure) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, MapProperties,
-                         testing::Values(Case{"five_bar", test::five_bar}, Case{"bipod", test::bipod},
-                                         Case{"limited_five_bar", limited_five_bar},
-                                         Case{"oblique_five_bar", oblique_five_bar}, Case{"rails", rails},
-                                         Case{"elbows", elbows}),
+                         testing::Values(MappedRobot{"five_bar", test::five_bar},
+                                         MappedRobot{"bipod", test::bipod},
+                                         MappedRobot{"limited_five_bar", test::limited_five_bar},
+                                         MappedRobot{"oblique_five_bar", oblique_five_bar},
+                                         MappedRobot{"rails", rails}, MappedRobot{"elbows", elbows}),
                          [](const auto& robot) { return std::string(robot.param.name); });
 
 }  // namespace

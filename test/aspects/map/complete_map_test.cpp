@@ -120,16 +120,16 @@ class Floods {
   std::set<int> aspects_;
 };
 
-struct Case {
+struct CompleteMapCase {
   const char* name;
   SharedMechanism (*mechanism)();
   std::vector<std::size_t> modes;  // all if empty
   std::size_t aspects;
 };
 
-void PrintTo(const Case& each, std::ostream* out) { *out << each.name; }
+void PrintTo(const CompleteMapCase& each, std::ostream* out) { *out << each.name; }
 
-class CompleteMapTest : public testing::TestWithParam<Case> {
+class CompleteMapTest : public testing::TestWithParam<CompleteMapCase> {
  protected:
   static int floods() {
     const char* asked = std::getenv("PARALLEL_ASPECTS_FLOODS");  // for longer campaigns
@@ -188,8 +188,8 @@ TEST_P(CompleteMapTest, EveryPieceBelongsToOneListedAspect) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, CompleteMapTest,
-                         testing::Values(Case{"linear_delta", models::linear_delta, {}, 14},
-                                         Case{"three_prr", models::three_prr, {0}, 2}),
+                         testing::Values(CompleteMapCase{"linear_delta", models::linear_delta, {}, 14},
+                                         CompleteMapCase{"three_prr", models::three_prr, {0}, 2}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

@@ -245,7 +245,7 @@ TEST(MapOfHeldStrut, HasTwoComponentsWithoutLimits) {
   EXPECT_EQ(map->proved_count(), 2U);
 }
 
-struct Pair {
+struct BottleneckCase {
   std::array<double, 3> from, to;
   double bottleneck, share;  // |det A|, and how far it may be off
 };
@@ -257,7 +257,8 @@ TEST(MapOfHeldStrut, BottlenecksAreThoseOfBruteForce) {
   const std::array<double, 3> first{-14.89612810, 1.58296166, 0.24530953},
       second{-5.49566082, -13.93549828, -0.04733137}, third{-8.72659533, 12.17566975, -0.98697424},
       fourth{-13.41993901, -6.65624796, 0.58567278};
-  for (const Pair& pair : {Pair{first, second, 9522.0, 0.005}, Pair{third, fourth, 9847.0, 0.005}}) {
+  for (const BottleneckCase& pair :
+       {BottleneckCase{first, second, 9522.0, 0.005}, BottleneckCase{third, fourth, 9847.0, 0.005}}) {
     const Bottleneck found =
         find_bottleneck(*map, WorkingMode(3), Pose::planar(pair.from[0], pair.from[1], pair.from[2]),
                         Pose::planar(pair.to[0], pair.to[1], pair.to[2]), ParallelIndex::determinant);

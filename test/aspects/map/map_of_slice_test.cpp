@@ -41,11 +41,11 @@ TEST(MapOfSlice, StewartPlatformWithoutTiltIsSingularInOnePlaneOnly) {
 }
 
 /// Cells of one working mode and sign on a fine grid, joined by flood fill.
-class Flood {
+class SliceFlood {
  public:
   static constexpr int cells = 600;
 
-  Flood(const Manipulator& robot, const WorkingMode& mode, int sign) : free_(cells * cells) {
+  SliceFlood(const Manipulator& robot, const WorkingMode& mode, int sign) : free_(cells * cells) {
     for (int k = 0; k < cells * cells; ++k) {
       Pose pose;
       pose.position << center(k % cells), center(k / cells), 0.0;
@@ -121,8 +121,8 @@ TEST(MapOfSlice, ThreeRrrWithFrozenOrientationAgreesWithFloodFill) {
   std::size_t large_pieces = 0;
   for (const WorkingMode& mode : options.modes)
     for (const int sign : {1, -1})
-      for (const auto& piece : Flood(*robot, mode, sign).pieces()) {
-        const double area = static_cast<double>(piece.size()) * Flood::area_of_cell();
+      for (const auto& piece : SliceFlood(*robot, mode, sign).pieces()) {
+        const double area = static_cast<double>(piece.size()) * SliceFlood::area_of_cell();
         if (area < smallest) continue;
         ++large_pieces;
         const int aspect = the_one_aspect_of(*map, mode, piece);

@@ -117,20 +117,12 @@ class Grid {
   std::map<Pair, int> count_;
 };
 
-Robot limited_five_bar() {
-  ManipulatorDescription description{"limited_five_bar", TaskSpace::T2, test::five_bar()->legs(), "base", {}};
-  description.task_frame.setIdentity();
-  description.legs[0].limits = {-1.0, 1.5};
-  description.legs[1].limits = {0.5, 5.5};
-  return std::make_shared<const Manipulator>(description);
-}
-
-struct Case {
+struct RobotOfTwoDegrees {
   const char* name;
   std::function<Robot()> make;
 };
 
-class NeighboursOfTwoFreedoms : public testing::TestWithParam<Case> {};
+class NeighboursOfTwoFreedoms : public testing::TestWithParam<RobotOfTwoDegrees> {};
 
 // Pairs that a grid steps across often are proved, and a proved pair is one that a fine grid about its pose
 // does.
@@ -155,8 +147,9 @@ TEST_P(NeighboursOfTwoFreedoms, AgreeWithSteppingOverAGrid) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, NeighboursOfTwoFreedoms,
-                         testing::Values(Case{"five_bar", test::five_bar}, Case{"bipod", test::bipod},
-                                         Case{"limited_five_bar", limited_five_bar}),
+                         testing::Values(RobotOfTwoDegrees{"five_bar", test::five_bar},
+                                         RobotOfTwoDegrees{"bipod", test::bipod},
+                                         RobotOfTwoDegrees{"limited_five_bar", test::limited_five_bar}),
                          [](const auto& robot) { return std::string(robot.param.name); });
 
 // The reflection in the base line flips all signs: it maps aspects to aspects, and so neighbours to

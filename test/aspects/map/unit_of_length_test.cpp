@@ -49,17 +49,17 @@ Robot among_obstacles() {
   return test::with(test::five_bar(), constraints);
 }
 
-struct Case {
+struct RobotInUnits {
   const char* name;
   Robot robot;
   std::optional<double> resolution;  // [m]; by default that of the robot
 };
 
-std::vector<Case> cases() {
-  std::vector<Case> result{{"five_bar", test::five_bar(), 0.2},
-                           {"bipod", test::bipod(), 0.1},
-                           {"three_prr", test::shipped("three_prr")->manipulator(), std::nullopt},
-                           {"delta", test::shipped("delta")->manipulator(), 0.4}};
+std::vector<RobotInUnits> cases() {
+  std::vector<RobotInUnits> result{{"five_bar", test::five_bar(), 0.2},
+                                   {"bipod", test::bipod(), 0.1},
+                                   {"three_prr", test::shipped("three_prr")->manipulator(), std::nullopt},
+                                   {"delta", test::shipped("delta")->manipulator(), 0.4}};
   if (!test::is_sanitized) result.push_back({"obstacles", among_obstacles(), std::nullopt});
   return result;
 }
@@ -77,7 +77,7 @@ void expect_the_same_but_for_exponents(const AspectMap& scaled, const AspectMap&
 }
 
 TEST(UnitOfLength, DoesNotChangeMaps) {
-  for (const Case& each : cases()) {
+  for (const RobotInUnits& each : cases()) {
     const auto map = map_of(each.robot, 1.0, each.resolution);
     const auto expect_alike = [&](double factor, bool exactly) {
       SCOPED_TRACE(each.name + (" times " + std::to_string(factor)));

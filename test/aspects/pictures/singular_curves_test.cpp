@@ -22,17 +22,17 @@ namespace {
 
 using Eigen::Vector2d;
 
-struct Case {
+struct CurveCase {
   std::string robot, joint;
   double value;
   bool has_limits;
 };
 
-void PrintTo(const Case& which, std::ostream* stream) { *stream << which.robot; }
+void PrintTo(const CurveCase& which, std::ostream* stream) { *stream << which.robot; }
 
 const Eigen::AlignedBox2d turns(Vector2d(-pi, -pi), Vector2d(pi, pi));
 
-class SingularCurvesOf : public testing::TestWithParam<Case> {
+class SingularCurvesOf : public testing::TestWithParam<CurveCase> {
  protected:
   struct Followed {
     std::shared_ptr<const AspectMap> map;
@@ -138,9 +138,9 @@ TEST_P(SingularCurvesOf, TracedBoundariesAreInTheirMode) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, SingularCurvesOf,
-                         testing::Values(Case{"three_rrr", "crank_1_joint", 0.3, false},
-                                         Case{"three_prr", "slider_1_joint", 0.3, true},
-                                         Case{"three_rpr", "strut_1_joint", 14.98, true}),
+                         testing::Values(CurveCase{"three_rrr", "crank_1_joint", 0.3, false},
+                                         CurveCase{"three_prr", "slider_1_joint", 0.3, true},
+                                         CurveCase{"three_rpr", "strut_1_joint", 14.98, true}),
                          [](const auto& which) { return which.param.robot; });
 
 // Each value of crank 2 is singular where anchor 2 is on its axis, whatever the mode of the rest.

@@ -26,8 +26,6 @@ namespace {
 
 using test::Robot;
 
-constexpr double pi = EIGEN_PI;
-
 /// How far a platform is turned and moved from one pose to another, in the robot's size.
 double distance_between(const Manipulator& robot, const Pose& a, const Pose& b) {
   return a.orientation.angularDistance(b.orientation) + (a.position - b.position).norm() / robot.size();
@@ -56,7 +54,7 @@ struct EqualPair {
 /// Of three solutions, for an angle that has them. They come by falling det A.
 std::optional<EqualPair> pair_beside(const Manipulator& robot, const Cusp& cusp, double radius) {
   for (int i = 0; i < 3600; ++i) {
-    const auto near = solutions_at(robot, cusp, radius, 2.0 * pi * (i * 1117 % 3600) / 3600.0);
+    const auto near = solutions_at(robot, cusp, radius, 2.0 * EIGEN_PI * (i * 1117 % 3600) / 3600.0);
     if (near.size() != 3) continue;
     return near[1].determinant > 0.0 ? EqualPair{1, {near[0].pose, near[1].pose}}
                                      : EqualPair{-1, {near[1].pose, near[2].pose}};

@@ -29,8 +29,6 @@ namespace {
 using test::Robot;
 using test::uniform;
 
-constexpr double pi = EIGEN_PI;
-
 /// The cusps of one slice, isolated in two coordinates.
 CuspList cusps_at(const Robot& robot, std::size_t leg, double held) {
   return find_cusps(*robot, HeldJoint{leg, held});
@@ -142,8 +140,8 @@ std::size_t most_solutions_beside(const Robot& robot, const Cusp& cusp, double r
   std::size_t most = 0;
   for (int i = 0; i < 1800 && most < 3; ++i) {
     JointVector q = cusp.actuated;
-    q[1] += radius * std::cos(pi * i / 900.0);
-    q[2] += radius * std::sin(pi * i / 900.0);
+    q[1] += radius * std::cos(EIGEN_PI * i / 900.0);
+    q[2] += radius * std::sin(EIGEN_PI * i / 900.0);
     std::size_t near = 0;
     for (const AssemblyMode& mode : direct(*robot, q).solutions)
       if ((mode.pose.position - cusp.pose.position).norm() < 3.0) ++near;
@@ -184,8 +182,8 @@ TEST(CuspCurves, BeginAndEndAtCuspsOfTheEndsOfTheRange) {
 /// A short range about the value that a random pose has.
 HeldRange range_about_pose(const Robot& robot, double width, std::mt19937_64& random) {
   for (;;) {
-    const Pose pose =
-        Pose::planar(uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0), uniform(random, -pi, pi));
+    const Pose pose = Pose::planar(uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0),
+                                   uniform(random, -EIGEN_PI, EIGEN_PI));
     const auto modes = working_modes(*robot);
     const InverseSolution found = inverse(*robot, pose, modes[random() % modes.size()]);
     if (found) return {0, found.q[0] - 0.5 * width, found.q[0] + 0.5 * width};
@@ -217,12 +215,14 @@ std::optional<CuspTrace> trace_through(const Robot& robot, const Cusp& cusp, con
   const PlanarHeldSlice held(*robot, *slice.joint);
   CuspFamily family(held, held.postures().front());
   const auto& turn = cusp.pose.orientation;
-  const MapPoint at{std::atan2(rod.y(), rod.x()) / pi,
-                    std::remainder(2.0 * std::atan2(turn.z(), turn.w()), 2.0 * pi) / pi,
-                    cusp.actuated[0] / pi};
+  const MapPoint at{std::atan2(rod.y(), rod.x()) / EIGEN_PI,
+                    std::remainder(2.0 * std::atan2(turn.z(), turn.w()), 2.0 * EIGEN_PI) / EIGEN_PI,
+                    cusp.actuated[0] / EIGEN_PI};
   const auto start = cusp_near(family, 2, at);
   if (!start) return std::nullopt;
-  return trace_cusps(family, *start, {range.lower() / pi, range.upper() / pi, {1.0, 1.0, pi / 20.0}}, {}, {});
+  return trace_cusps(family, *start,
+                     {range.lower() / EIGEN_PI, range.upper() / EIGEN_PI, {1.0, 1.0, EIGEN_PI / 20.0}}, {},
+                     {});
 }
 
 /// Each tube begins and ends at points that it holds.
@@ -241,7 +241,7 @@ CurveRuns runs_of_trace(const Robot& robot, const CuspTrace& trace, double lower
   const RoundingUpward rounding;
   const PlanarHeldSlice held(*robot, *slice.joint);
   CuspFamily family(held, held.postures().front());
-  return runs_of(family, trace, {lower / pi, upper / pi});
+  return runs_of(family, trace, {lower / EIGEN_PI, upper / EIGEN_PI});
 }
 
 // Of ten cusps in one slice some are on a curve that comes back to its start, which passes each value as
@@ -281,7 +281,7 @@ TEST(CuspFamily, HasTheGradientsOfItsFunctions) {
       const RoundingUpward rounding;
       const PlanarHeldSlice held_slice(*robot, *slice.joint);
       CuspFamily family(held_slice, held_slice.postures().back());
-      const MapPoint at{uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0), held / pi};
+      const MapPoint at{uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0), held / EIGEN_PI};
       const auto found = family.at(at);
       for (std::size_t k = 0; found && k < 3; ++k) {
         constexpr double step = 1e-6;
@@ -291,7 +291,8 @@ TEST(CuspFamily, HasTheGradientsOfItsFunctions) {
         const auto below = family.at(lower), above = family.at(upper);
         if (!below || !above) continue;
         for (std::size_t n = 0; n < 3; ++n) {
-          const double slope = (above->values[n].lower() - below->values[n].lower()) / (2.0 * pi * step);
+          const double slope =
+              (above->values[n].lower() - below->values[n].lower()) / (2.0 * EIGEN_PI * step);
           const double claimed = found->gradients[n][k].lower();
           EXPECT_NEAR(claimed, slope, 1e-4 * (1.0 + std::abs(slope))) << robot->name() << n << k;
           ++compared;

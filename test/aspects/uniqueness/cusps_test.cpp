@@ -33,8 +33,6 @@ using test::ActuationKind;
 using test::Robot;
 using test::uniform;
 
-constexpr double pi = EIGEN_PI;
-
 // The lengths of struts 2 and 3 at the cusps, found by Newton's method in double precision.
 TEST(Cusps, AreTheSixOfTheThreeRpr) {
   const auto found = test::uniqueness_of_slice(test::three_rpr()->with_constraints({}), 0, 14.98);
@@ -60,7 +58,7 @@ TEST(Cusps, AreListedWithinLimits) {
 }
 
 /// A robot with one joint held where a random pose has it.
-struct Held {
+struct HeldCase {
   Robot robot;
   HeldJoint joint;
 
@@ -69,23 +67,23 @@ struct Held {
   }
 };
 
-std::unique_ptr<const HeldSlice> slice_of(const Held& held) {
+std::unique_ptr<const HeldSlice> slice_of(const HeldCase& held) {
   const RoundingUpward rounding;
   return make_held_slice(*held.robot, held.joint);
 }
 
-Held held_at_value(const Robot& robot, std::size_t leg, double value) {
+HeldCase held_at_value(const Robot& robot, std::size_t leg, double value) {
   return {robot, {leg, value, robot->leg(leg).actuated_by_angle()}};
 }
 
-std::optional<Held> held_at(const Robot& robot, std::size_t leg, std::mt19937_64& random) {
+std::optional<HeldCase> held_at(const Robot& robot, std::size_t leg, std::mt19937_64& random) {
   test::RandomRobots poses(static_cast<unsigned>(random()));
   for (int tries = 0; tries < 1000; ++tries) {
     const Pose pose = poses.pose(robot->task_space());
     const auto modes = working_modes(*robot);
     const InverseSolution found = inverse(*robot, pose, modes[random() % modes.size()]);
     if (!found) continue;
-    const Held held = held_at_value(robot, leg, found.q[static_cast<Eigen::Index>(leg)]);
+    const HeldCase held = held_at_value(robot, leg, found.q[static_cast<Eigen::Index>(leg)]);
     EXPECT_EQ(find_cusps_problem(*robot, held.joint), "");
     return held;
   }
@@ -93,9 +91,9 @@ std::optional<Held> held_at(const Robot& robot, std::size_t leg, std::mt19937_64
 }
 
 /// Robots of every kind of leg, and one with three kinds.
-std::vector<Held> random_robots(TaskSpace space, std::mt19937_64& random, int of_each_kind) {
+std::vector<HeldCase> random_robots(TaskSpace space, std::mt19937_64& random, int of_each_kind) {
   test::RandomRobots robots(static_cast<unsigned>(random()));
-  std::vector<Held> result;
+  std::vector<HeldCase> result;
   for (int i = 0; i < of_each_kind; ++i) {
     std::vector<Robot> next;
     for (const ActuationKind kind : {ActuationKind::strut, ActuationKind::revolute, ActuationKind::prismatic})
@@ -112,14 +110,14 @@ std::vector<Held> random_robots(TaskSpace space, std::mt19937_64& random, int of
 /// Both free joint values over the slice in one posture, by the inverse problem.
 class SliceByInverse {
  public:
-  SliceByInverse(const Held& held, const HeldSlice& slice, const SlicePosture& posture)
+  SliceByInverse(const HeldCase& held, const HeldSlice& slice, const SlicePosture& posture)
       : slice_(slice), posture_(posture) {
     for (std::size_t i = 0; i < 2; ++i) legs_[i] = &held.robot->leg(slice.leg(i));
   }
 
   /// Not a number where a leg does not reach.
   Vector2d values(const Vector2d& x) const {
-    const Pose pose = slice_.pose({x[0] / pi, x[1] / pi});
+    const Pose pose = slice_.pose({x[0] / EIGEN_PI, x[1] / EIGEN_PI});
     Vector2d q;
     for (std::size_t i = 0; i < 2; ++i) {
       const Eigen::Vector3d anchor = pose.transform(legs_[i]->anchor);
@@ -148,7 +146,7 @@ class SliceByInverse {
     for (std::size_t i = 0; i < 2; ++i)
       if (legs_[i]->actuated_by_angle()) {
         double& each = result[static_cast<Eigen::Index>(i)];
-        each = std::remainder(each, 2.0 * pi);
+        each = std::remainder(each, 2.0 * EIGEN_PI);
       }
     return result;
   }
@@ -159,7 +157,7 @@ class SliceByInverse {
 };
 
 double distance(const Vector2d& a, const Vector2d& b) {
-  return std::hypot(std::remainder(a[0] - b[0], 2.0 * pi), std::remainder(a[1] - b[1], 2.0 * pi));
+  return std::hypot(std::remainder(a[0] - b[0], 2.0 * EIGEN_PI), std::remainder(a[1] - b[1], 2.0 * EIGEN_PI));
 }
 
 /// Cusps by Newton's method with differences in double precision, from many poses.
@@ -170,7 +168,7 @@ class CuspsByNewton {
   std::vector<Vector2d> find(std::mt19937_64& random, int starts) const {
     std::vector<Vector2d> found;
     for (int i = 0; i < starts; ++i) {
-      Vector2d x(uniform(random, -pi, pi), uniform(random, -pi, pi));
+      Vector2d x(uniform(random, -EIGEN_PI, EIGEN_PI), uniform(random, -EIGEN_PI, EIGEN_PI));
       if (!converges(x)) continue;
       const auto same = [&](const Vector2d& y) { return distance(x, y) < 1e-4; };
       if (std::none_of(found.begin(), found.end(), same)) found.push_back(x);
@@ -219,11 +217,13 @@ CuspBoxes cusp_boxes(const HeldSlice& slice) {
   return find_cusp_boxes(slice, {});
 }
 
-Vector2d middle_of(const CuspBox& cusp) { return pi * Vector2d(cusp.box.center(0), cusp.box.center(1)); }
+Vector2d middle_of(const CuspBox& cusp) {
+  return EIGEN_PI * Vector2d(cusp.box.center(0), cusp.box.center(1));
+}
 
 /// Of what Newton's method finds in all postures, with `starts` each: how many of them are among the cusps
 /// that are proved. Where these are complete, all must be.
-std::size_t count_listed(const Held& held, const HeldSlice& slice, const CuspBoxes& boxes, int starts,
+std::size_t count_listed(const HeldCase& held, const HeldSlice& slice, const CuspBoxes& boxes, int starts,
                          std::mt19937_64& random) {
   std::size_t matched = 0;
   for (const SlicePosture& posture : slice.postures()) {
@@ -248,8 +248,8 @@ INSTANTIATE_TEST_SUITE_P(TaskSpaces, CuspsOfSlices, testing::Values(TaskSpace::S
 TEST_P(CuspsOfSlices, AreAllThatNewtonsMethodFinds) {
   std::mt19937_64 random(3);
   std::size_t complete = 0, matched = 0, listed = 0;
-  const std::vector<Held> all = random_robots(GetParam(), random, 4);
-  for (const Held& held : all) {
+  const std::vector<HeldCase> all = random_robots(GetParam(), random, 4);
+  for (const HeldCase& held : all) {
     const auto slice = slice_of(held);
     const CuspBoxes boxes = cusp_boxes(*slice);
     complete += boxes.undecided.empty() ? 1 : 0;
@@ -264,15 +264,15 @@ TEST_P(CuspsOfSlices, AreAllThatNewtonsMethodFinds) {
 TEST_P(CuspsOfSlices, HaveTheJointValuesOfTheInverseProblem) {
   std::mt19937_64 random(5);
   int compared = 0;
-  for (const Held& held : random_robots(GetParam(), random, 10)) {
+  for (const HeldCase& held : random_robots(GetParam(), random, 10)) {
     const auto slice = slice_of(held);
     for (const SlicePosture& posture : slice->postures()) {
       const SliceByInverse by_inverse(held, *slice, posture);
-      const Vector2d x(uniform(random, -pi, pi), uniform(random, -pi, pi));
+      const Vector2d x(uniform(random, -EIGEN_PI, EIGEN_PI), uniform(random, -EIGEN_PI, EIGEN_PI));
       const Matrix2d expected = by_inverse.jacobian(x);
       if (!expected.allFinite()) continue;
       const RoundingUpward rounding;
-      const SlicePlace at(std::array<double, 2>{x[0] / pi, x[1] / pi});
+      const SlicePlace at(std::array<double, 2>{x[0] / EIGEN_PI, x[1] / EIGEN_PI});
       for (std::size_t i = 0; i < 2; ++i) {
         if (!held.robot->leg(slice->leg(i)).kind().moves_proximal_point) continue;
         const auto leg = slice->leg_over(i, posture[i], at);
@@ -296,13 +296,13 @@ double distance_between(const Pose& a, const Pose& b) {
 
 /// How many direct solutions there are near the pose of a cusp, at least and at most, for actuated values on
 /// a circle about its own.
-std::array<std::size_t, 2> solutions_beside(const Held& held, const Cusp& cusp, double radius) {
+std::array<std::size_t, 2> solutions_beside(const HeldCase& held, const Cusp& cusp, double radius) {
   const std::size_t leg = held.joint.leg;
   const auto first = static_cast<Eigen::Index>(leg == 0 ? 1 : 0),
              second = static_cast<Eigen::Index>(leg == 2 ? 1 : 2);
   std::array<std::size_t, 2> range{1000, 0};
   for (int i = 0; i < 1800 && !(range[0] <= 1 && range[1] >= 3); ++i) {
-    const double angle = 2.0 * pi * (i * 1117 % 1800) / 1800.0;  // all of them, not in turn
+    const double angle = 2.0 * EIGEN_PI * (i * 1117 % 1800) / 1800.0;  // all of them, not in turn
     JointVector q = cusp.actuated;
     q[first] += radius * std::cos(angle);
     q[second] += radius * std::sin(angle);
@@ -314,7 +314,7 @@ std::array<std::size_t, 2> solutions_beside(const Held& held, const Cusp& cusp, 
   return range;
 }
 
-void expect_three_solutions_beside(const Held& held, const Cusp& cusp) {
+void expect_three_solutions_beside(const HeldCase& held, const Cusp& cusp) {
   const auto near = solutions_beside(held, cusp, 1e-3), far = solutions_beside(held, cusp, 1e-2);
   EXPECT_GE(std::max(near[1], far[1]), 3U) << held.text() << ": " << cusp.actuated.transpose();
   EXPECT_LE(std::min(near[0], far[0]) + 2, std::max(near[1], far[1])) << held.text();
@@ -323,11 +323,11 @@ void expect_three_solutions_beside(const Held& held, const Cusp& cusp) {
 // By the direct solver; another solution may be near by.
 TEST_P(CuspsOfSlices, HaveThreeSolutionsBesideThem) {
   std::mt19937_64 random(6);
-  std::vector<Held> all = random_robots(GetParam(), random, 1);
+  std::vector<HeldCase> all = random_robots(GetParam(), random, 1);
   if (GetParam() == TaskSpace::SE2)
     all.push_back(held_at_value(test::three_rpr()->with_constraints({}), 0, 14.98));
   std::size_t looked_at = 0;
-  for (const Held& held : all) {
+  for (const HeldCase& held : all) {
     const CuspList found = find_cusps(*held.robot, held.joint);
     EXPECT_TRUE(found.complete);
     for (std::size_t i = 0; i < found.cusps.size(); i += 1 + found.cusps.size() / 3, ++looked_at)
@@ -342,7 +342,7 @@ TEST(Cusps, OfTheSpherical3Rrr) {
   const Robot robot = test::shipped("spherical_3rrr")->mapped_manipulator();
   std::size_t matched = 0, listed = 0;
   for (const auto& [leg, value] : {std::pair<std::size_t, double>{0, 0.3}, {1, 1.0}, {2, -2.0}}) {
-    const Held held = held_at_value(robot, leg, value);
+    const HeldCase held = held_at_value(robot, leg, value);
     const auto slice = slice_of(held);
     const CuspBoxes boxes = cusp_boxes(*slice);
     matched += count_listed(held, *slice, boxes, 100, random);

@@ -24,7 +24,7 @@ namespace {
 
 using test::uniform;
 
-const Uniqueness& whole() {
+const Uniqueness& regions_of_struts() {
   static const std::shared_ptr<const Uniqueness> uniqueness = [] {
     UniquenessOptions options;
     options.most_cells = 24000;
@@ -33,7 +33,7 @@ const Uniqueness& whole() {
   return *uniqueness;
 }
 
-const Manipulator& robot() { return *whole().map->manipulator(); }
+const Manipulator& robot() { return *regions_of_struts().map->manipulator(); }
 
 JointVector values_at(const Pose& pose) { return inverse(robot(), pose, working_modes(robot()).front()).q; }
 
@@ -57,12 +57,12 @@ void try_to_refute(const Pose& from, const Pose& to, const std::vector<std::size
   constexpr int samples = 100;
   for (int k = 0; k <= samples; ++k) {
     const Pose pose = pose_between(from, to, k / static_cast<double>(samples));
-    const auto region = whole().locate(pose);
+    const auto region = regions_of_struts().locate(pose);
     EXPECT_TRUE(!region || holds(regions, region));
     for (const AssemblyMode& mode : direct(robot(), values_at(pose)).solutions) {
       const bool same = (mode.pose.position - pose.position).norm() < 1e-6 &&
                         mode.pose.orientation.angularDistance(pose.orientation) < 1e-6;
-      EXPECT_TRUE(same || !holds(regions, whole().locate(mode.pose)))
+      EXPECT_TRUE(same || !holds(regions, regions_of_struts().locate(mode.pose)))
           << from.position.transpose() << " to " << to.position.transpose() << ", " << k;
     }
   }
@@ -73,9 +73,9 @@ TEST(PathInRegions, IsInOneDomainWhereThatIsProved) {
   int proved = 0, across = 0, tried = 0;
   for (int i = 0; i < test::thinned(4000); ++i) {
     const Pose from = random_pose(random), to = moved(from, 2.0, random);
-    if (!whole().locate(from) || !whole().locate(to)) continue;
+    if (!regions_of_struts().locate(from) || !regions_of_struts().locate(to)) continue;
     ++tried;
-    const auto regions = whole().regions_along({from, to});
+    const auto regions = regions_of_struts().regions_along({from, to});
     if (!regions) continue;
     ++proved;
     across += regions->size() > 1 ? 1 : 0;
@@ -91,13 +91,13 @@ TEST(PathInRegions, IsNotInOneDomainBetweenSolutionsOfTheSameValues) {
   int pairs = 0;
   for (int i = 0; i < test::thinned(600); ++i) {
     const Pose from = random_pose(random);
-    const auto region = whole().locate(from);
+    const auto region = regions_of_struts().locate(from);
     if (!region) continue;
     for (const AssemblyMode& mode : direct(robot(), values_at(from)).solutions) {
-      const auto other = whole().locate(mode.pose);
+      const auto other = regions_of_struts().locate(mode.pose);
       if (!other || *other == *region) continue;
       ++pairs;
-      EXPECT_FALSE(whole().regions_along({from, mode.pose}));
+      EXPECT_FALSE(regions_of_struts().regions_along({from, mode.pose}));
     }
   }
   EXPECT_GT(pairs, 20);
@@ -109,11 +109,11 @@ TEST(PathInRegions, IsNotProvedThatCrossesAStripTwice) {
   for (int across = 0, tried = 0; across < 6; ++tried) {
     ASSERT_LT(tried, 20000) << "only " << across << " segments that cross a strip";
     const Pose from = random_pose(random), to = moved(from, 2.0, random);
-    if (!whole().locate(from) || !whole().locate(to)) continue;
-    const auto regions = whole().regions_along({from, to});
+    if (!regions_of_struts().locate(from) || !regions_of_struts().locate(to)) continue;
+    const auto regions = regions_of_struts().regions_along({from, to});
     if (!regions || regions->size() == 1) continue;
     ++across;
-    EXPECT_FALSE(whole().regions_along({from, to, from}));
+    EXPECT_FALSE(regions_of_struts().regions_along({from, to, from}));
   }
 }
 

@@ -14,16 +14,18 @@
 namespace parallel_aspects {
 namespace {
 
-struct Case {
+struct NearSingularCase {
   std::shared_ptr<const Manipulator> robot;
   Eigen::Vector3d home;
   double spread;
   int count;
 
-  friend std::ostream& operator<<(std::ostream& out, const Case& each) { return out << each.robot->name(); }
+  friend std::ostream& operator<<(std::ostream& out, const NearSingularCase& each) {
+    return out << each.robot->name();
+  }
 };
 
-class NearSingular : public testing::TestWithParam<Case> {};
+class NearSingular : public testing::TestWithParam<NearSingularCase> {};
 
 Pose between(const Pose& a, const Pose& b, double share) {
   return {(1.0 - share) * a.position + share * b.position, a.orientation.slerp(share, b.orientation)};
@@ -75,16 +77,19 @@ TEST_P(NearSingular, PoseIsFoundAndFlagged) {
   EXPECT_EQ(tested, count);
 }
 
-std::string robot_name(const testing::TestParamInfo<Case>& info) { return info.param.robot->name(); }
+std::string near_singular_name(const testing::TestParamInfo<NearSingularCase>& info) {
+  return info.param.robot->name();
+}
 
 INSTANTIATE_TEST_SUITE_P(EveryTaskSpace, NearSingular,
-                         testing::Values(Case{test::three_rpr(), {5.0, 5.0, 0.0}, 25.0, 500},
-                                         Case{test::three_rrr(), {-3.0, -3.0, 0.0}, 10.0, 200},
-                                         Case{test::spherical_three_rrr(), {0.0, 0.0, 0.0}, 1.0, 500},
-                                         Case{test::dietmaier(), {0.0, 0.0, 0.0}, 1.0, 25},
-                                         Case{test::stewart(), {0.0, 0.0, 0.6}, 0.3, 25},
-                                         Case{test::six_pus(), {0.0, 0.0, 0.6}, 0.2, 25}),
-                         robot_name);
+                         testing::Values(NearSingularCase{test::three_rpr(), {5.0, 5.0, 0.0}, 25.0, 500},
+                                         NearSingularCase{test::three_rrr(), {-3.0, -3.0, 0.0}, 10.0, 200},
+                                         NearSingularCase{
+                                             test::spherical_three_rrr(), {0.0, 0.0, 0.0}, 1.0, 500},
+                                         NearSingularCase{test::dietmaier(), {0.0, 0.0, 0.0}, 1.0, 25},
+                                         NearSingularCase{test::stewart(), {0.0, 0.0, 0.6}, 0.3, 25},
+                                         NearSingularCase{test::six_pus(), {0.0, 0.0, 0.6}, 0.2, 25}),
+                         near_singular_name);
 
 }  // namespace
 }  // namespace parallel_aspects

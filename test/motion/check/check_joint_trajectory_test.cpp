@@ -24,6 +24,7 @@ namespace {
 
 using test::advance;
 using test::halvings;
+using test::JointWaypoints;
 using test::never;
 using test::Number;
 using test::Numbers;
@@ -31,13 +32,6 @@ using test::Platform;
 using test::Seen;
 using test::values_at;
 using test::watch;
-using test::Waypoints;
-
-std::shared_ptr<const Manipulator> with_actuated_limits(const std::string& name) {
-  ConstraintKinds kinds;
-  kinds[static_cast<std::size_t>(ConstraintKind::actuated_limits)] = true;
-  return test::shipped(name)->manipulator()->with_constraints(kinds);
-}
 
 // Of each robot: as many as CHECKED_TRAJECTORIES says, or `few`; in SE3 a tenth of these, since the test's
 // own way takes long there.
@@ -64,7 +58,7 @@ Number expected_sign(const TrajectoryCheck& check, std::size_t leg, Number time)
 // The signs of B_jj and of det A at every sample up to where the trajectory was followed. How often one of
 // B_jj changes.
 std::size_t compare_crossings(const TrajectoryCheck& check, const Manipulator& robot,
-                              const Waypoints& waypoints, const Pose& start, int samples) {
+                              const JointWaypoints& waypoints, const Pose& start, int samples) {
   Platform platform(robot, start);
   std::vector<Number> entries;
   std::vector<Number> last;
@@ -96,7 +90,7 @@ std::size_t compare_crossings(const TrajectoryCheck& check, const Manipulator& r
 }
 
 // By differences of samples, which are mean speeds.
-void compare_speeds(const TrajectoryCheck& check, const Waypoints& waypoints, int samples) {
+void compare_speeds(const TrajectoryCheck& check, const JointWaypoints& waypoints, int samples) {
   if (check.speeds.empty()) return;
   std::vector<Number> fastest(check.speeds.size(), 0);
   for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
@@ -125,8 +119,8 @@ class RandomJoints : public testing::TestWithParam<const char*> {
   }
 
   // Towards joint values of nearby poses, some of them in a neighbouring mode, with each interpolation.
-  Waypoints draw(const Pose& start, const WorkingMode& mode, int kind) {
-    Waypoints waypoints{{pairs.uniform(-1.0, 1.0), inverse(*robot, start, mode).q, {}, {}}};
+  JointWaypoints draw(const Pose& start, const WorkingMode& mode, int kind) {
+    JointWaypoints waypoints{{pairs.uniform(-1.0, 1.0), inverse(*robot, start, mode).q, {}, {}}};
     for (int i = 0; i < 2; ++i) {
       WorkingMode next = mode;
       const std::size_t leg =
@@ -146,7 +140,7 @@ class RandomJoints : public testing::TestWithParam<const char*> {
     return waypoints;
   }
 
-  std::shared_ptr<const Manipulator> robot = with_actuated_limits(GetParam());
+  std::shared_ptr<const Manipulator> robot = test::with_actuated_limits(GetParam());
   SegmentCertifier certifier{robot};
   test::PosePairs pairs{robot, 20261124};
 };
@@ -159,7 +153,7 @@ void compare(const TrajectoryCheck& check, const Seen& seen) {
   EXPECT_LE(check.violation->after, check.violation->before);
 }
 
-std::string text(const Manipulator& robot, const Waypoints& waypoints, const Pose& start) {
+std::string text(const Manipulator& robot, const JointWaypoints& waypoints, const Pose& start) {
   std::string result = robot.name() + " from " + to_string(robot.task_space(), start);
   for (const JointWaypoint& waypoint : waypoints)
     for (const JointVector& values : {waypoint.q, waypoint.velocity, waypoint.acceleration})
@@ -180,7 +174,7 @@ TEST_P(RandomJoints, AreAnsweredAsNewtonsMethodInExtendedPrecisionSees) {
     const WorkingMode mode = pairs.mode();
     const auto start = pairs.reached(mode);
     if (!start) continue;
-    const Waypoints waypoints = draw(*start, mode, i % 3);
+    const JointWaypoints waypoints = draw(*start, mode, i % 3);
     SCOPED_TRACE(text(*robot, waypoints, *start));
     const TrajectoryCheck check = check_trajectory(certifier, waypoints, {*start, 0});
     Seen seen = watch(*robot, waypoints, *start, samples);
@@ -223,14 +217,14 @@ class FiveBarJoints : public testing::Test {
  protected:
   JointVector joints(double x, double y) const { return inverse(*robot, Pose::planar(x, y), mode).q; }
 
-  std::shared_ptr<const Manipulator> robot = with_actuated_limits("five_bar");
+  std::shared_ptr<const Manipulator> robot = test::with_actuated_limits("five_bar");
   SegmentCertifier certifier{robot};
   WorkingMode mode = *WorkingMode::from_signs({-1, 1});
   Pose pose = Pose::planar(4.5, 8.0);
 };
 
 TEST_F(FiveBarJoints, AnAmbiguousStartIsSaid) {
-  const Waypoints waypoints{{0.0, joints(4.5, 8.0), {}, {}}, {1.0, joints(4.6, 8.0), {}, {}}};
+  const JointWaypoints waypoints{{0.0, joints(4.5, 8.0), {}, {}}, {1.0, joints(4.6, 8.0), {}, {}}};
   const TrajectoryCheck ambiguous = check_trajectory(certifier, waypoints, {});
   EXPECT_EQ(ambiguous.answer, TrajectoryAnswer::unknown);
   EXPECT_TRUE(ambiguous.refused);
@@ -250,7 +244,7 @@ TEST_F(FiveBarJoints, BadInputIsSaidInOneSentenceEach) {
   const JointVector q = joints(4.5, 8.0), few = JointVector::Zero(1);
   const JointWaypoint good{0.0, q, {}, {}};
   EXPECT_TRUE(problems_of(*robot, {good}, {pose, 0}).empty());
-  EXPECT_EQ(problems_of(*robot, Waypoints{}, TrajectoryStart{}).size(), 1U);
+  EXPECT_EQ(problems_of(*robot, JointWaypoints{}, TrajectoryStart{}).size(), 1U);
   EXPECT_EQ(problems_of(*robot, {good, good}, {}).size(), 1U);
   EXPECT_EQ(problems_of(*robot, {good, {nan, q, {}, {}}}, {}).size(), 1U);
   EXPECT_EQ(problems_of(*robot, {good, {1.0, few, {}, {}}}, {}).size(), 1U);

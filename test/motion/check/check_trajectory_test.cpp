@@ -27,12 +27,6 @@ namespace {
 
 using Waypoints = std::vector<PoseWaypoint>;
 
-std::shared_ptr<const Manipulator> with_actuated_limits(const std::string& name) {
-  ConstraintKinds kinds;
-  kinds[static_cast<std::size_t>(ConstraintKind::actuated_limits)] = true;
-  return test::shipped(name)->manipulator()->with_constraints(kinds);
-}
-
 // What dense sampling in extended precision says of a trajectory, by formulas of the test.
 class Truth {
  public:
@@ -134,7 +128,7 @@ class RandomPaths : public testing::TestWithParam<const char*> {
     return result;
   }
 
-  std::shared_ptr<const Manipulator> robot = with_actuated_limits(GetParam());
+  std::shared_ptr<const Manipulator> robot = test::with_actuated_limits(GetParam());
   SegmentCertifier certifier{robot};
   test::PosePairs pairs{robot, 20261123};
 };
@@ -202,7 +196,7 @@ class FiveBarPaths : public testing::Test {
     return check_trajectory(certifier, waypoints, mode);
   }
 
-  std::shared_ptr<const Manipulator> robot = with_actuated_limits("five_bar");
+  std::shared_ptr<const Manipulator> robot = test::with_actuated_limits("five_bar");
   SegmentCertifier certifier{robot};
   WorkingMode mode = *WorkingMode::from_signs({-1, 1});
 };

@@ -20,7 +20,7 @@ using Number = long double;
 using Vector = Eigen::Matrix<Number, 3, 1>;
 using Numbers = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
 using Matrix = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
-using Waypoints = std::vector<JointWaypoint>;
+using JointWaypoints = std::vector<JointWaypoint>;
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -203,7 +203,7 @@ inline bool begin(Platform& platform, const JointWaypoint& first) {
   return platform.follow(first.q.cast<Number>(), 1e9L);
 }
 
-inline Seen watch(const Manipulator& robot, const Waypoints& waypoints, const Pose& start, int samples) {
+inline Seen watch(const Manipulator& robot, const JointWaypoints& waypoints, const Pose& start, int samples) {
   Platform platform(robot, start);
   if (!begin(platform, waypoints.front())) return {};  // too near to det A = 0 to say anything
   std::vector<Number> entries;

@@ -30,7 +30,7 @@ Robot with_speeds(const Robot& robot) {
   return std::make_shared<const Manipulator>(description);
 }
 
-struct Case {
+struct PreferenceCase {
   const char* name;
   Robot robot;
   std::optional<double> resolution;
@@ -39,7 +39,7 @@ struct Case {
   bool differs;  // whether some ends are not the narrowest places of the paths between them
 };
 
-class PathPreferenceOf : public testing::TestWithParam<Case> {};
+class PathPreferenceOf : public testing::TestWithParam<PreferenceCase> {};
 
 /// What the paths between some ends have, one entry a question.
 struct Compared {
@@ -101,11 +101,12 @@ TEST_P(PathPreferenceOf, IsWhatItSays) {
 
 INSTANTIATE_TEST_SUITE_P(
     Robots, PathPreferenceOf,
-    testing::Values(Case{"five_bar", test::five_bar(), std::nullopt, 60, PathPolicy::stay, true},
-                    Case{"five_bar_serial", test::five_bar(), std::nullopt, 60, PathPolicy::serial, true},
-                    Case{"three_rpr", test::three_rpr(), 1.5, 20, PathPolicy::stay, true},
-                    Case{"three_rrr", test::three_rrr(), 1.0, 20, PathPolicy::stay, true},
-                    Case{"delta", test::delta(), 0.3, 20, PathPolicy::stay, false}),
+    testing::Values(PreferenceCase{"five_bar", test::five_bar(), std::nullopt, 60, PathPolicy::stay, true},
+                    PreferenceCase{"five_bar_serial", test::five_bar(), std::nullopt, 60, PathPolicy::serial,
+                                   true},
+                    PreferenceCase{"three_rpr", test::three_rpr(), 1.5, 20, PathPolicy::stay, true},
+                    PreferenceCase{"three_rrr", test::three_rrr(), 1.0, 20, PathPolicy::stay, true},
+                    PreferenceCase{"delta", test::delta(), 0.3, 20, PathPolicy::stay, false}),
     [](const auto& each) { return std::string(each.param.name); });
 
 PlannedPath path_through(const Robot& robot, const std::vector<Pose>& poses) {

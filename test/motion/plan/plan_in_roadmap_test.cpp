@@ -13,6 +13,7 @@
 #include "support/campaign_figures.h"
 #include "support/index_at.h"
 #include "support/pose_pairs.h"
+#include "support/roadmap_of.h"
 #include "support/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
@@ -28,15 +29,6 @@ namespace parallel_aspects {
 namespace {
 
 using Robot = std::shared_ptr<const Manipulator>;
-
-/// A roadmap of the working modes that a few questions need is enough.
-std::shared_ptr<const PoseRoadmap> roadmap_of(const Robot& robot, const std::vector<WorkingMode>& modes,
-                                              std::size_t samples) {
-  RoadmapOptions options;
-  options.samples = test::is_sanitized ? samples / 4 : samples;
-  options.modes = modes;
-  return compute_pose_roadmap(robot, options).roadmap;
-}
 
 /// By formulas of the test: the segments in their modes, and each crossing by the joints alone.
 void expect_no_contradiction(const Robot& robot, const PlannedPath& path) {
@@ -63,7 +55,7 @@ TEST_P(PlanInRoadmapOf, PassesSerialGatesWithProof) {
   const WorkingMode first = random.mode();
   WorkingMode second = first;
   second.set_sign(2, -first.sign(2));
-  const auto roadmap = roadmap_of(robot, {first, second}, 400);
+  const auto roadmap = test::roadmap_of(robot, {first, second}, 400);
   ASSERT_TRUE(roadmap);
   int found = 0, none = 0;
   const int pairs = test::is_sanitized ? 2 : 12;
@@ -115,7 +107,7 @@ Pose pose_of(const std::array<double, 7>& coordinates) {
 // From above the base to below it, by a passage that no sampled segment of a larger roadmap finds either.
 TEST(PlanInRoadmap, FindsNarrowPassages) {
   const Robot robot = test::shipped("stewart")->mapped_manipulator();
-  const auto roadmap = roadmap_of(robot, {}, 250);
+  const auto roadmap = test::roadmap_of(robot, {}, 250);
   const WorkingMode mode = working_modes(*robot).front();
   for (const auto& [from, to] :
        std::vector<std::pair<Pose, Pose>>{{pose_of({-0.123, -0.025, -0.028, -0.548, 0.019, 0.729, 0.410}),
@@ -136,7 +128,7 @@ TEST(PlanInRoadmap, LooksForGatesFromTheGoalToo) {
   const Robot robot = test::shipped("six_pus")->mapped_manipulator();
   const WorkingMode first = *WorkingMode::from_signs({-1, -1, -1, -1, -1, -1}),
                     second = *WorkingMode::from_signs({-1, -1, -1, -1, 1, -1});
-  const auto roadmap = roadmap_of(robot, {first, second}, 250);
+  const auto roadmap = test::roadmap_of(robot, {first, second}, 250);
   const PathEnd from{pose_of({-0.027722, -0.091143, 0.140326, 0.237397, -0.725320, 0.098226, 0.638675}),
                      first},
       to{pose_of({-0.130427, 0.026886, 0.424601, -0.818384, 0.085476, -0.431796, 0.369450}), second};
@@ -159,7 +151,7 @@ TEST(PlanInRoadmap, PassesSerialGatesWithinFurtherConstraints) {
   const WorkingMode first = random.mode();
   WorkingMode second = first;
   second.set_sign(1, -first.sign(1));
-  const auto roadmap = roadmap_of(robot, {first, second}, 400);
+  const auto roadmap = test::roadmap_of(robot, {first, second}, 400);
   ASSERT_TRUE(roadmap);
   int found = 0;
   for (int i = 0; i < (test::is_sanitized ? 2 : 16); ++i) {
@@ -183,7 +175,7 @@ TEST(PlanInRoadmap, PassesNoGateThatASerialMarginShutsOut) {
   const WorkingMode first = random.mode();
   WorkingMode second = first;
   second.set_sign(1, -first.sign(1));
-  const auto roadmap = roadmap_of(robot, {first, second}, 50);
+  const auto roadmap = test::roadmap_of(robot, {first, second}, 50);
   ASSERT_TRUE(roadmap);
   const PlannedPath path = plan_in_roadmap(*roadmap, {random.reached(first).value(), first},
                                            {random.reached(second).value(), second}, {PathPolicy::serial});
@@ -193,7 +185,7 @@ TEST(PlanInRoadmap, PassesNoGateThatASerialMarginShutsOut) {
 
 TEST(PlanInRoadmap, HasClearAndShortPaths) {
   const Robot robot = test::shipped("stewart")->mapped_manipulator();
-  const auto roadmap = roadmap_of(robot, {}, 1000);
+  const auto roadmap = test::roadmap_of(robot, {}, 1000);
   const WorkingMode mode = working_modes(*robot).front();
   test::PosePairs random(robot, 20261123);
   int clearer = 0;
@@ -224,7 +216,7 @@ TEST(PlanInRoadmap, LeavesNoSegmentThatTurnsByMoreThanAQuarter) {
   ManipulatorDescription description = test::shipped("stewart")->mapped_manipulator()->description();
   for (Leg& leg : description.legs) leg.limits = JointLimits{0.1, 10.0};
   const Robot robot = std::make_shared<const Manipulator>(description);
-  const auto roadmap = roadmap_of(robot, {}, 40);
+  const auto roadmap = test::roadmap_of(robot, {}, 40);
   ASSERT_TRUE(roadmap);
   const WorkingMode mode = working_modes(*robot).front();
   test::PosePairs random(robot, 4);
@@ -255,7 +247,7 @@ TEST(PlanInRoadmap, SaysNotNoWhereTheSignsAreEqual) {
   const Robot robot = test::shipped("hexa")->mapped_manipulator();
   test::PosePairs random(robot, 1);
   const WorkingMode mode = random.mode();
-  const auto roadmap = roadmap_of(robot, {mode}, 200);
+  const auto roadmap = test::roadmap_of(robot, {mode}, 200);
   int pairs = 0, found = 0;
   while (pairs < (test::is_sanitized ? 3 : 40)) {
     SCOPED_TRACE("pair " + std::to_string(pairs));
@@ -278,7 +270,7 @@ TEST(PlanInRoadmap, SaysNotNoWhereTheSignsAreEqual) {
 
 TEST(PlanInRoadmap, NamesWhatKeepsAnEndOut) {
   const Robot robot = test::shipped("stewart")->mapped_manipulator();
-  const auto roadmap = roadmap_of(robot, {}, 10);
+  const auto roadmap = test::roadmap_of(robot, {}, 10);
   Pose far;
   far.position = {9.0, 0.0, 1.3};
   const PlannedPath path = plan_in_roadmap(*roadmap, {Pose(), {}}, {far, {}});
@@ -293,7 +285,7 @@ TEST(PlanInRoadmap, EndsWhereItIsCancelled) {
   const WorkingMode first = random.mode();
   WorkingMode second = first;
   second.set_sign(0, -first.sign(0));
-  const auto roadmap = roadmap_of(robot, {first, second}, 100);
+  const auto roadmap = test::roadmap_of(robot, {first, second}, 100);
   const std::atomic<bool> cancelled(true);
   MapControl control;
   control.cancelled = &cancelled;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "support/pose_pairs.h"
+#include "support/roadmap_of.h"
 #include "support/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
@@ -22,14 +23,6 @@ namespace parallel_aspects {
 namespace {
 
 using Robot = std::shared_ptr<const Manipulator>;
-
-std::shared_ptr<const PoseRoadmap> roadmap_of(const Robot& robot, const std::vector<WorkingMode>& modes,
-                                              std::size_t samples) {
-  RoadmapOptions options;
-  options.samples = test::is_sanitized ? samples / 4 : samples;
-  options.modes = modes;
-  return compute_pose_roadmap(robot, options).roadmap;
-}
 
 /// Four working modes around one, by the postures of two legs.
 std::vector<WorkingMode> some_modes(const Robot& robot) {
@@ -70,7 +63,7 @@ class RoadmapGraphOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(RoadmapGraphOf, HasGatesThatAreNotContradicted) {
   const Robot robot = test::shipped(GetParam())->mapped_manipulator();
-  const auto roadmap = roadmap_of(robot, some_modes(robot), 300);
+  const auto roadmap = test::roadmap_of(robot, some_modes(robot), 300);
   ASSERT_TRUE(roadmap);
   const auto found = compute_roadmap_graph(*roadmap);
   ASSERT_TRUE(found);
@@ -102,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, RoadmapGraphOf, testing::Values("hexa", "six_pu
 // Each component is one part of one set, and no set has two signs.
 TEST(RoadmapGraph, DividesTheComponentsIntoSets) {
   const Robot robot = test::shipped("six_pus")->mapped_manipulator();
-  const auto roadmap = roadmap_of(robot, some_modes(robot), 200);
+  const auto roadmap = test::roadmap_of(robot, some_modes(robot), 200);
   const auto found = compute_roadmap_graph(*roadmap);
   ASSERT_TRUE(found);
   ASSERT_EQ(found->parts.size(), roadmap->component_count());
@@ -123,14 +116,14 @@ TEST(RoadmapGraph, DividesTheComponentsIntoSets) {
 
 TEST(RoadmapGraph, HasNoGatesWhereThereAreNone) {
   const Robot stewart = test::shipped("stewart")->mapped_manipulator();
-  const auto of_stewart = compute_roadmap_graph(*roadmap_of(stewart, {}, 200));
+  const auto of_stewart = compute_roadmap_graph(*test::roadmap_of(stewart, {}, 200));
   ASSERT_TRUE(of_stewart);
   EXPECT_TRUE(of_stewart->graph.gates.empty());
   EXPECT_EQ(of_stewart->graph.sets.size(), of_stewart->parts.size());
   Margins margins;
   margins.serial = 0.01;
   const Robot hexa = test::shipped("hexa")->mapped_manipulator()->with_margins(margins);
-  const auto of_hexa = compute_roadmap_graph(*roadmap_of(hexa, some_modes(hexa), 100));
+  const auto of_hexa = compute_roadmap_graph(*test::roadmap_of(hexa, some_modes(hexa), 100));
   ASSERT_TRUE(of_hexa);
   EXPECT_TRUE(of_hexa->graph.gates.empty());
 }
@@ -140,7 +133,7 @@ TEST(RoadmapGraph, IsNothingWhereCancelled) {
   const std::atomic<bool> cancelled(true);
   MapControl control;
   control.cancelled = &cancelled;
-  EXPECT_FALSE(compute_roadmap_graph(*roadmap_of(robot, some_modes(robot), 50), control));
+  EXPECT_FALSE(compute_roadmap_graph(*test::roadmap_of(robot, some_modes(robot), 50), control));
 }
 
 }  // namespace

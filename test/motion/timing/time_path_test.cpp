@@ -26,13 +26,13 @@ namespace {
 
 using test::accelerations_of;
 using test::between;
+using test::JointWaypoints;
 using test::Motion;
 using test::Robot;
 using test::speeds_of;
-using test::Waypoints;
 using test::with_speeds;
 
-void expect_within_limits(const Manipulator& robot, const Waypoints& waypoints) {
+void expect_within_limits(const Manipulator& robot, const JointWaypoints& waypoints) {
   const JointVector speeds = speeds_of(robot), accelerations = accelerations_of(robot);
   double fastest = 0.0, sharpest = 0.0;
   for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
@@ -51,7 +51,7 @@ void expect_within_limits(const Manipulator& robot, const Waypoints& waypoints) 
 /// of the arc, by bisection at each of many points.
 class LeastTime {
  public:
-  LeastTime(const Manipulator& robot, const Waypoints& waypoints, std::size_t first, std::size_t last)
+  LeastTime(const Manipulator& robot, const JointWaypoints& waypoints, std::size_t first, std::size_t last)
       : speeds_(speeds_of(robot)), accelerations_(accelerations_of(robot)) {
     const int parts = std::max(4, static_cast<int>(8000 / (last - first)));
     double length = 0.0;
@@ -121,7 +121,7 @@ class LeastTime {
 };
 
 /// Between all waypoints at rest.
-double least_time(const Manipulator& robot, const Waypoints& waypoints) {
+double least_time(const Manipulator& robot, const JointWaypoints& waypoints) {
   double seconds = 0.0;
   for (std::size_t first = 0, i = 1; i < waypoints.size(); ++i) {
     if (!waypoints[i].velocity.isZero(0.0)) continue;
@@ -135,7 +135,7 @@ void expect_good(const Manipulator& robot, const PlannedPath& path, const TimedP
   ASSERT_TRUE(timed) << timed.message;
   EXPECT_EQ(timed.check.answer, TrajectoryAnswer::safe) << timed.check.reason;
   EXPECT_EQ(timed.check.crossings.size(), path.crossings.size());
-  const Waypoints& waypoints = timed.waypoints;
+  const JointWaypoints& waypoints = timed.waypoints;
   EXPECT_LT((waypoints.front().q - path.points.front().q).norm(), 1e-12);
   EXPECT_LT((waypoints.back().q - path.points.back().q).norm(), 1e-9);
   EXPECT_TRUE(waypoints.front().velocity.isZero(0.0) && waypoints.back().velocity.isZero(0.0));
@@ -266,7 +266,7 @@ TEST(TimePath, IsTheTrapezoidOfASingleJoint) {
 }
 
 /// The five-bar whose joints have just the room that a trajectory needs, and this much more [rad].
-Robot with_room(const Robot& robot, const Waypoints& waypoints, double more) {
+Robot with_room(const Robot& robot, const JointWaypoints& waypoints, double more) {
   ManipulatorDescription description = robot->description();
   for (std::size_t j = 0; j < robot->leg_count(); ++j) {
     JointLimits& limits = description.legs[j].limits;

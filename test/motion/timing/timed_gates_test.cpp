@@ -20,9 +20,9 @@ namespace {
 
 using test::accelerations_of;
 using test::between;
+using test::JointWaypoints;
 using test::Motion;
 using test::Robot;
-using test::Waypoints;
 using test::with_speeds;
 
 /// A path of the five-bar through one gate.
@@ -53,7 +53,7 @@ struct LinksAt {
   }
 };
 
-std::vector<LinksAt> links_along(const Manipulator& robot, const Waypoints& waypoints,
+std::vector<LinksAt> links_along(const Manipulator& robot, const JointWaypoints& waypoints,
                                  const Eigen::Vector3d& start) {
   std::vector<LinksAt> result;
   Eigen::Vector3d last = start;

@@ -11,7 +11,7 @@
 
 namespace parallel_aspects::test {
 
-using Waypoints = std::vector<JointWaypoint>;
+using JointWaypoints = std::vector<JointWaypoint>;
 
 /// The robot with velocity limits: 2 rad/s, or half its size in a second.
 inline Robot with_speeds(const Robot& robot) {

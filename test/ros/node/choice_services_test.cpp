@@ -23,7 +23,7 @@ namespace parallel_aspects {
 namespace {
 
 using test::call;
-using Request = ChooseWorkingMode::Request;
+using Question = ChooseWorkingMode::Request;
 
 geometry_msgs::Pose at(double x, double y) {
   geometry_msgs::Pose pose;
@@ -33,26 +33,26 @@ geometry_msgs::Pose at(double x, double y) {
   return pose;
 }
 
-Request path(const std::vector<std::pair<double, double>>& positions) {
-  Request request;
+Question path(const std::vector<std::pair<double, double>>& positions) {
+  Question request;
   for (const auto& [x, y] : positions) request.poses.push_back(at(x, y));
   return request;
 }
 
-Request region(double x_lower, double x_upper, double y_lower, double y_upper) {
-  Request request;
-  request.kind = Request::REGION;
+Question region(double x_lower, double x_upper, double y_lower, double y_upper) {
+  Question request;
+  request.kind = Question::REGION;
   request.coordinates = {"y", "x"};
   request.lower = {y_lower, x_lower};
   request.upper = {y_upper, x_upper};
   return request;
 }
 
-ChooseWorkingMode::Response choose(const Request& request) {
+ChooseWorkingMode::Response choose(const Question& request) {
   return call<ChooseWorkingMode>("choose_working_mode", request);
 }
 
-void expect_refused(const Request& request, const std::string& word) {
+void expect_refused(const Question& request, const std::string& word) {
   const auto response = choose(request);
   EXPECT_EQ(response.status.code, Status::INVALID_REQUEST) << word;
   EXPECT_NE(response.status.message.find(word), std::string::npos) << response.status.message;
@@ -97,7 +97,7 @@ TEST_F(ChoiceServices, APathIsAnsweredAsByTheLibrary) {
 }
 
 TEST_F(ChoiceServices, APathThatNeedsAChangeOfPostureGetsIt) {
-  Request request = path({{2.0, -7.0}, {8.4, 8.8}});
+  Question request = path({{2.0, -7.0}, {8.4, 8.8}});
   request.changes = true;
   const auto response = choose(request);
   ASSERT_EQ(response.status.code, Status::OK) << response.status.message;
@@ -129,7 +129,7 @@ TEST_F(ChoiceServices, BadQuestionsAreRefusedInOneSentence) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   expect_refused(path({}), "no waypoint");
   expect_refused(path({{nan, 0.0}}), "finite");
-  Request bad = path({{3.0, 6.0}, {5.0, 7.0}});
+  Question bad = path({{3.0, 6.0}, {5.0, 7.0}});
   bad.prefer = "best";
   expect_refused(bad, "prefer");
   bad.prefer = "";
@@ -143,18 +143,18 @@ TEST_F(ChoiceServices, BadQuestionsAreRefusedInOneSentence) {
   bad.coordinates.clear();
   bad.kind = 2;
   expect_refused(bad, "kind");
-  bad.kind = Request::REGION;
+  bad.kind = Question::REGION;
   expect_refused(bad, "no path");
   expect_refused(region(3.0, 2.0, 5.0, 8.0), "empty");
   expect_refused(region(nan, 2.0, 5.0, 8.0), "finite");
-  Request other = region(3.0, 6.0, 5.0, 8.0);
+  Question other = region(3.0, 6.0, 5.0, 8.0);
   other.coordinates[0] = "w";
   expect_refused(other, "'w'");
   other.coordinates = {"x", "x"};
   expect_refused(other, "twice");
   other.coordinates = {"x"};
   expect_refused(other, "entries");
-  Request far = path({{3.0, 6.0}});
+  Question far = path({{3.0, 6.0}});
   far.header.frame_id = "nowhere";
   EXPECT_EQ(choose(far).status.code, Status::NO_TRANSFORM);
 }

@@ -39,7 +39,7 @@ using test::eventually;
 using test::Recorder;
 using visualization_msgs::InteractiveMarkerFeedback;
 
-geometry_msgs::Pose at(double x, double y) {
+geometry_msgs::Pose message_at(double x, double y) {
   geometry_msgs::Pose pose;
   pose.position.x = x;
   pose.position.y = y;
@@ -100,7 +100,7 @@ class ProbeOfNode : public testing::Test {
 
 TEST_F(ProbeOfNode, TypedPoseIsAnsweredAsByTheServices) {
   choose({1, -1});
-  poses_.publish(at(4.5, 8.0));
+  poses_.publish(message_at(4.5, 8.0));
   const auto state = state_at(4.5, 8.0, {1, -1});
   ASSERT_TRUE(state);
   EXPECT_EQ(state->status.code, Status::OK) << state->status.message;
@@ -128,7 +128,7 @@ TEST_F(ProbeOfNode, TypedPoseIsAnsweredAsByTheServices) {
 
 TEST_F(ProbeOfNode, OutOfReachStaysAtTheNearestPoseAndSaysSo) {
   choose({1, 1});
-  poses_.publish(at(-10.0, 0.0));
+  poses_.publish(message_at(-10.0, 0.0));
   const auto state = state_at(-10.0, 0.0, {1, 1});
   ASSERT_TRUE(state);
   EXPECT_EQ(state->status.code, Status::NO_SOLUTION);
@@ -138,12 +138,12 @@ TEST_F(ProbeOfNode, OutOfReachStaysAtTheNearestPoseAndSaysSo) {
 }
 
 TEST_F(ProbeOfNode, BadPosesAndModesAreRefusedByName) {
-  poses_.publish(at(4.5, 7.0));
+  poses_.publish(message_at(4.5, 7.0));
   ASSERT_TRUE(state_at(4.5, 7.0, {1, 1}));
-  poses_.publish(at(std::numeric_limits<double>::quiet_NaN(), 0.0));
+  poses_.publish(message_at(std::numeric_limits<double>::quiet_NaN(), 0.0));
   EXPECT_NE(refusal("position.x").find("finite"), std::string::npos);
   ros::WallDuration(1.1).sleep();  // warnings of a kind come once a second
-  geometry_msgs::Pose zero = at(1.0, 1.0);
+  geometry_msgs::Pose zero = message_at(1.0, 1.0);
   zero.orientation.w = 0.0;
   poses_.publish(zero);
   EXPECT_NE(refusal("orientation has the length").find("set_pose"), std::string::npos);
@@ -156,7 +156,7 @@ TEST_F(ProbeOfNode, NewestOfManyPosesIsAnsweredAndFewOfThemAre) {
   const std::size_t before = state_.all().size();
   const ros::WallTime start = ros::WallTime::now();
   for (int i = 1; i <= 1000; ++i) {
-    poses_.publish(at(4.5, 6.0 + 1e-3 * i));
+    poses_.publish(message_at(4.5, 6.0 + 1e-3 * i));
     ros::WallDuration(0.001).sleep();
   }
   ASSERT_TRUE(state_at(4.5, 7.0, {1, 1}));
@@ -185,7 +185,7 @@ class HandleOfNode : public ProbeOfNode {
     const visualization_msgs::InteractiveMarkerInit init = *init_.last();
     for (const auto& entry : init.markers.front().menu_entries)
       if (entry.title.find(title) != std::string::npos)
-        return send(InteractiveMarkerFeedback::MENU_SELECT, at(0.0, 0.0), entry.id);
+        return send(InteractiveMarkerFeedback::MENU_SELECT, message_at(0.0, 0.0), entry.id);
     ADD_FAILURE() << title;
   }
 
@@ -198,9 +198,9 @@ class HandleOfNode : public ProbeOfNode {
 TEST_F(HandleOfNode, GoesToTheProbeWhenItIsReleased) {
   if (!has_probe_handle()) GTEST_SKIP();
   choose({1, 1});
-  send(InteractiveMarkerFeedback::POSE_UPDATE, at(-12.0, 0.0));
+  send(InteractiveMarkerFeedback::POSE_UPDATE, message_at(-12.0, 0.0));
   ASSERT_TRUE(state_at(-12.0, 0.0, {1, 1}));
-  send(InteractiveMarkerFeedback::MOUSE_UP, at(-12.0, 0.0));
+  send(InteractiveMarkerFeedback::MOUSE_UP, message_at(-12.0, 0.0));
   EXPECT_TRUE(eventually([this] {
     return updates_
         .first([](const auto& update) {
@@ -213,7 +213,7 @@ TEST_F(HandleOfNode, GoesToTheProbeWhenItIsReleased) {
 TEST_F(HandleOfNode, MenuChoosesAndStores) {
   if (!has_probe_handle()) GTEST_SKIP();
   const Recorder<Configuration> start("/aspect_node/probe/start"), goal("/aspect_node/probe/goal");
-  poses_.publish(at(4.5, 8.0));
+  poses_.publish(message_at(4.5, 8.0));
   select("(-,+)");
   ASSERT_TRUE(state_at(4.5, 8.0, {-1, 1}));
   select("Store as start");
@@ -237,13 +237,13 @@ TEST_F(HandleOfNode, ShowsOtherWorkingModesAndHides) {
              return marker.ns == name && marker.action == visualization_msgs::Marker::ADD;
            });
   };
-  poses_.publish(at(4.5, 8.0));
+  poses_.publish(message_at(4.5, 8.0));
   ASSERT_TRUE(eventually([&] { return shows("probe/robot"); }));
   select("other working modes");
   EXPECT_TRUE(eventually([&] { return shows("probe/other_3"); }));
   select("Hide");
   EXPECT_TRUE(eventually([&] { return !shows("probe/robot"); }));
-  poses_.publish(at(4.5, 7.5));
+  poses_.publish(message_at(4.5, 7.5));
   EXPECT_TRUE(eventually([&] { return shows("probe/robot"); }));
 }
 
@@ -265,10 +265,10 @@ TEST_F(HandleOfNode, LeavesTheTrackedRobotAloneAndIsResetToIt) {
   const bool tracked = eventually([&] { return robot.last() && robot.last()->status.code == Status::OK; });
   const std::size_t before = robot.all().size();
   for (int i = 0; i < 50; ++i) {
-    send(InteractiveMarkerFeedback::POSE_UPDATE, at(4.5 - 0.2 * i, 5.0));
+    send(InteractiveMarkerFeedback::POSE_UPDATE, message_at(4.5 - 0.2 * i, 5.0));
     ros::WallDuration(0.01).sleep();
   }
-  send(InteractiveMarkerFeedback::MOUSE_UP, at(-5.3, 5.0));
+  send(InteractiveMarkerFeedback::MOUSE_UP, message_at(-5.3, 5.0));
   EXPECT_TRUE(eventually([&] { return robot.all().size() > before + 100; }));
   const std::vector<AspectState> states = robot.all();
   select("Reset");

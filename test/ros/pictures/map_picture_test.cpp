@@ -3,6 +3,7 @@
 
 #include "ros/monitor/five_bar_setup.h"
 #include "ros/pictures/marker_colors.h"
+#include "ros/pictures/marker_groups.h"
 
 #include <gtest/gtest.h>
 #include <ros/serialization.h>
@@ -29,15 +30,6 @@ BoundaryPicture traced(const AspectMap& map, const WorkingMode& mode) {
   return trace_slice(map, mode, PoseSlice(TaskSpace::T2, 0.0), slice_bounds(map), 160);
 }
 
-const MarkerFrames frames{"base_link", "robot/aspects", "robot/joint_space"};
-
-std::vector<Marker> in_group(const MarkerArray& array, const std::string& group) {
-  std::vector<Marker> markers;
-  for (const Marker& marker : array.markers)
-    if (marker.ns == group) markers.push_back(marker);
-  return markers;
-}
-
 // Signed area of a list of triangles seen from above.
 double area(const Marker& marker) {
   double twice = 0.0;
@@ -58,7 +50,7 @@ class MapPictureTest : public testing::Test {
 
   std::shared_ptr<const Manipulator> robot_ = test::five_bar();
   std::shared_ptr<const AspectMap> map_ = map_of(robot_);
-  MapPicture picture_{map_, frames, DisplayOptions{}};
+  MapPicture picture_{map_, test::frames, DisplayOptions{}};
 };
 
 TEST_F(MapPictureTest, EveryArrayDeletesFirstAndHasStampZeroAndUniqueIds) {
@@ -85,13 +77,13 @@ TEST_F(MapPictureTest, PointsAreFinite) {
 }
 
 TEST_F(MapPictureTest, EachAspectIsOneTriangleListInItsColourAndSize) {
-  const auto fills = in_group(picture_.gallery(std::nullopt), "workspace/aspects");
+  const auto fills = test::in_group(picture_.gallery(std::nullopt), "workspace/aspects");
   ASSERT_EQ(fills.size(), map_->aspects().size());
   const double scale = DisplayOptions{}.gallery_scale;
   for (const Aspect& aspect : map_->aspects()) {
     const Marker& marker = fills[static_cast<std::size_t>(aspect.id - 1)];
     EXPECT_EQ(marker.type, Marker::TRIANGLE_LIST);
-    EXPECT_EQ(marker.header.frame_id, frames.aspects);
+    EXPECT_EQ(marker.header.frame_id, test::frames.aspects);
     EXPECT_EQ(marker.color, AspectColors(*map_).of(aspect.id));
     // Drawn are the inside leaves and slivers of the undecided ones.
     EXPECT_GE(area(marker) / (scale * scale), aspect.measure_lower * (1.0 - 1e-9));
@@ -100,10 +92,10 @@ TEST_F(MapPictureTest, EachAspectIsOneTriangleListInItsColourAndSize) {
 }
 
 TEST_F(MapPictureTest, JointProjectionsAreInTheWindowAndTurnedToTheViewer) {
-  const auto fills = in_group(picture_.gallery(std::nullopt), "joint_space/aspects");
+  const auto fills = test::in_group(picture_.gallery(std::nullopt), "joint_space/aspects");
   ASSERT_EQ(fills.size(), map_->aspects().size());
   for (const Marker& marker : fills) {
-    EXPECT_EQ(marker.header.frame_id, frames.joint_space);
+    EXPECT_EQ(marker.header.frame_id, test::frames.joint_space);
     for (std::size_t i = 0; i + 2 < marker.points.size(); i += 3) {
       const auto &a = marker.points[i], &b = marker.points[i + 1], &c = marker.points[i + 2];
       EXPECT_GE((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x), -1e-12);
@@ -144,22 +136,22 @@ TEST_F(MapPictureTest, TheBoundaryLiesOnSingularities) {
 }
 
 TEST_F(MapPictureTest, OnlyTheAspectsOfThePresentModeAreAtTheRobot) {
-  EXPECT_TRUE(in_group(picture_.present(std::nullopt), "robot/aspects").empty());
+  EXPECT_TRUE(test::in_group(picture_.present(std::nullopt), "robot/aspects").empty());
   const auto present = now(4.5, 8.0, {1, -1});
   ASSERT_NE(present->aspect, 0);
-  const auto fills = in_group(picture_.present(present), "robot/aspects");
+  const auto fills = test::in_group(picture_.present(present), "robot/aspects");
   EXPECT_EQ(fills.size(), 3U);
   int highlighted = 0;
   for (const Marker& marker : fills)
     highlighted += marker.color == AspectColors(*map_).of(present->aspect) ? 1 : 0;
   EXPECT_EQ(highlighted, 1);
-  EXPECT_EQ(in_group(picture_.present(present), "robot/outline").size(), 1U);
+  EXPECT_EQ(test::in_group(picture_.present(present), "robot/outline").size(), 1U);
 }
 
 TEST_F(MapPictureTest, ThePositionIsDrawnInBothTilesOfItsModeAndGoesAway) {
   const MarkerArray position = picture_.position(now(4.5, 8.0, {1, -1}));
-  EXPECT_FALSE(in_group(position, "position/workspace").empty());
-  EXPECT_FALSE(in_group(position, "position/joint_space").empty());
+  EXPECT_FALSE(test::in_group(position, "position/workspace").empty());
+  EXPECT_FALSE(test::in_group(position, "position/joint_space").empty());
   EXPECT_EQ(picture_.position(std::nullopt).markers.size(), 1U);
 }
 
@@ -174,7 +166,7 @@ TEST_F(MapPictureTest, OnlyAnotherModeOrAspectIsDrawnAnew) {
 // rviz takes them over the network, and again each time that it is opened.
 TEST_F(MapPictureTest, MessagesAreSmall) {
   const auto map = compute_aspect_map(robot_).map;
-  const MapPicture picture(map, frames, DisplayOptions{});
+  const MapPicture picture(map, test::frames, DisplayOptions{});
   EXPECT_LT(ros::serialization::serializationLength(picture.gallery(std::nullopt)), 3000000U);
   EXPECT_LT(ros::serialization::serializationLength(picture.present(now(4.5, 8.0, {1, -1}))), 1500000U);
 }
@@ -182,9 +174,9 @@ TEST_F(MapPictureTest, MessagesAreSmall) {
 TEST_F(MapPictureTest, WithoutAGalleryOnlyTheRobotIsDrawn) {
   DisplayOptions options;
   options.gallery = false;
-  const MapPicture plain(map_, frames, options);
-  EXPECT_TRUE(in_group(plain.gallery(now(4.5, 8.0, {1, -1})), "workspace/aspects").empty());
-  EXPECT_FALSE(in_group(plain.present(now(4.5, 8.0, {1, -1})), "robot/aspects").empty());
+  const MapPicture plain(map_, test::frames, options);
+  EXPECT_TRUE(test::in_group(plain.gallery(now(4.5, 8.0, {1, -1})), "workspace/aspects").empty());
+  EXPECT_FALSE(test::in_group(plain.present(now(4.5, 8.0, {1, -1})), "robot/aspects").empty());
 }
 
 TEST(MapPictureOfABipod, DrawsJointLimitsAsBoundaries) {

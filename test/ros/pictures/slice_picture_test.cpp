@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/kinematics/inverse.h"
 #include "ros/pictures/caption.h"
+#include "ros/pictures/marker_groups.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,6 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-const MarkerFrames frames{"base_link", "robot/aspects", "robot/joint_space"};
 const char* const long_message =
     "The assembly mode is not known: the step to the next sample cannot be certified, as it came too near to "
     "det A = 0; "
@@ -73,13 +73,6 @@ INSTANTIATE_TEST_SUITE_P(ShippedRobots, CaptionTest,
                          testing::Values("five_bar", "bipod", "three_rrr", "delta", "agile_eye", "stewart"),
                          [](const auto& robot) { return std::string(robot.param); });
 
-std::vector<Marker> in_group(const MarkerArray& array, const std::string& group) {
-  std::vector<Marker> markers;
-  for (const Marker& marker : array.markers)
-    if (marker.ns == group) markers.push_back(marker);
-  return markers;
-}
-
 // Of the Delta, computed once.
 const std::shared_ptr<const AspectMap>& coarse_map() {
   static const auto map = [] {
@@ -110,7 +103,7 @@ class SlicePictureOfADelta : public testing::Test {
     return map_->aspects().front();
   }
   bool in_legend(const Drawn& now, int aspect) const {
-    const auto lines = in_group(picture_.gallery(now), "gallery/sizes");
+    const auto lines = test::in_group(picture_.gallery(now), "gallery/sizes");
     return std::any_of(lines.begin(), lines.end(), [&](const Marker& line) {
       return line.text.rfind(std::to_string(aspect) + ":", 0) == 0;
     });
@@ -119,7 +112,7 @@ class SlicePictureOfADelta : public testing::Test {
   const std::shared_ptr<const Mechanism> mechanism_ = test::shipped("delta");
   const std::shared_ptr<const AspectMap> map_ = coarse_map();
   const std::shared_ptr<const Manipulator> robot_ = map_->manipulator();
-  const SlicePicture picture_{map_, frames, scene_of(*mechanism_, NodeOptions()), DisplayOptions()};
+  const SlicePicture picture_{map_, test::frames, scene_of(*mechanism_, NodeOptions()), DisplayOptions()};
 };
 
 TEST_F(SlicePictureOfADelta, TheLegendAlwaysHasThePresentAspect) {
@@ -136,7 +129,7 @@ TEST_F(SlicePictureOfADelta, TheLegendAlwaysHasThePresentAspect) {
 TEST_F(SlicePictureOfADelta, TheSliceDoesNotHideThePlatform) {
   const Drawn now = at_the_middle_of(one_of_many());
   const double joints = 0.0075;  // half the thickness of the platform in delta.urdf [m]
-  const auto fills = in_group(picture_.present(now), "robot/aspects");
+  const auto fills = test::in_group(picture_.present(now), "robot/aspects");
   ASSERT_FALSE(fills.empty());
   for (const Marker& marker : fills) {
     EXPECT_LT(marker.colors.front().a, 0.7F);

@@ -37,7 +37,7 @@ PlanPathResult through_a_gate() {
   return result;
 }
 
-NodeView followed() {
+NodeView followed_with_plan() {
   NodeView view;
   view.node = "/aspect_node";
   view.connected = true;
@@ -67,7 +67,7 @@ TEST(PlanModel, AsksForWhatWasChosen) {
 }
 
 TEST(PlanModel, RefusesWithAReason) {
-  NodeView view = followed();
+  NodeView view = followed_with_plan();
   PlanChoice choice;
   EXPECT_NE(may_plan(view, choice, {}).refusal.find("goal"), std::string::npos);
   choice.goal.emplace();
@@ -108,7 +108,7 @@ TEST(PlanModel, SaysWhatBecameOfIt) {
 }
 
 TEST(PlanModel, GoesToTheMiddleOfAnAspect) {
-  NodeView view = followed();
+  NodeView view = followed_with_plan();
   EXPECT_FALSE(end_in_aspect(view, 1));
   ListAspects::Response list;
   list.aspects.resize(1);

@@ -19,11 +19,6 @@ using test::Outcome;
 using test::run;
 using test::run_json;
 
-std::string contents_of(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::size_t count(const std::string& text, const std::string& what) {
   std::size_t found = 0;
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
@@ -40,7 +35,7 @@ TEST_F(PlotCommand, DrawsTheFiveBar) {
   const json report = run_json({"plot", "five_bar", "-o", svg.c_str()});
   EXPECT_EQ(report.at("picture"), svg);
   EXPECT_EQ(report.at("working_modes").size(), 4U);
-  const std::string text = contents_of(svg);
+  const std::string text = test::contents_of(svg);
   EXPECT_EQ(text.rfind("<svg", 0), 0U);
   EXPECT_EQ(count(text, "<title>aspect "), 20U) << "in the workspace and in joint space";
   EXPECT_EQ(count(text, "<title>parallel"), 12U);
@@ -49,7 +44,7 @@ TEST_F(PlotCommand, DrawsTheFiveBar) {
 
 TEST_F(PlotCommand, TheEndingSaysWhichFormat) {
   EXPECT_EQ(run({"plot", "bipod", "-o", png.c_str()}).code, exit_code::ok);
-  EXPECT_EQ(contents_of(png).rfind("\x89PNG", 0), 0U);
+  EXPECT_EQ(test::contents_of(png).rfind("\x89PNG", 0), 0U);
   const Outcome other = run({"plot", "bipod", "-o", "a.jpg"});
   EXPECT_EQ(other.code, exit_code::bad_input);
   EXPECT_EQ(other.messages,
@@ -60,7 +55,7 @@ TEST_F(PlotCommand, SectionsOfThreeCoordinates) {
   const Outcome cut =
       run({"plot", "three_prr", "-o", svg.c_str(), "--resolution", "0.1", "--section", "phi=0"});
   EXPECT_EQ(cut.code, exit_code::ok) << cut.messages;
-  EXPECT_NE(contents_of(svg).find("Section phi = 0 rad"), std::string::npos);
+  EXPECT_NE(test::contents_of(svg).find("Section phi = 0 rad"), std::string::npos);
 }
 
 TEST_F(PlotCommand, SaysWhatToDoInstead) {
@@ -89,20 +84,20 @@ TEST_F(PlotCommand, SaysWhatToDoInstead) {
 TEST_F(PlotCommand, NeverWritesOverItsInput) {
   const std::string urdf = testing::TempDir() + "plot_command_input.svg";
   const std::string config = PARALLEL_ASPECTS_SOURCE_DIR "/config/robots/five_bar.yaml";
-  const std::string shipped = contents_of(PARALLEL_ASPECTS_SOURCE_DIR "/urdf/five_bar.urdf");
+  const std::string shipped = test::contents_of(PARALLEL_ASPECTS_SOURCE_DIR "/urdf/five_bar.urdf");
   std::ofstream(urdf) << shipped;
   const Outcome outcome =
       run({"plot", "--urdf", urdf.c_str(), "--config", config.c_str(), "-o", urdf.c_str()});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
   EXPECT_NE(outcome.messages.find("would be overwritten"), std::string::npos) << outcome.messages;
-  EXPECT_EQ(contents_of(urdf), shipped);
+  EXPECT_EQ(test::contents_of(urdf), shipped);
 }
 
 TEST_F(PlotCommand, CtrlCLeavesNoPicture) {
   const std::string file = testing::TempDir() + "plot_command_interrupted.svg";
   const std::atomic<bool> interrupted{true};
   EXPECT_EQ(run({"plot", "five_bar", "-o", file.c_str()}, &interrupted).code, exit_code::interrupted);
-  EXPECT_EQ(contents_of(file), "");
+  EXPECT_EQ(test::contents_of(file), "");
 }
 
 }  // namespace

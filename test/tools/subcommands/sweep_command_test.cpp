@@ -25,11 +25,6 @@ namespace {
 using test::Outcome;
 using test::run;
 
-std::string contents_of(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 void write(const std::string& file, const std::string& text) {
   std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
 }
@@ -61,7 +56,7 @@ class SweepCommand : public test::CommandTest {
 TEST_F(SweepCommand, ARowADesign) {
   const Outcome outcome = sweep(whole);
   ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages;
-  std::istringstream text(contents_of(whole));
+  std::istringstream text(test::contents_of(whole));
   std::string line;
   std::getline(text, line);
   EXPECT_EQ(line.rfind("# aspects sweep 1, fingerprint ", 0), 0U) << line;
@@ -82,12 +77,12 @@ TEST_F(SweepCommand, ARowADesign) {
 
 TEST_F(SweepCommand, GoesOnWhereItWasCutOff) {
   ASSERT_EQ(sweep(whole).code, exit_code::ok);
-  const std::string text = contents_of(whole);
+  const std::string text = test::contents_of(whole);
   for (const std::size_t length :
        {std::size_t{0}, std::size_t{10}, text.size() / 3, text.size() / 2, text.size()}) {
     write(part, text.substr(0, length));
     EXPECT_EQ(sweep(part).code, exit_code::ok);
-    EXPECT_EQ(contents_of(part), text) << "cut after " << length;
+    EXPECT_EQ(test::contents_of(part), text) << "cut after " << length;
   }
 }
 
@@ -95,16 +90,17 @@ TEST_F(SweepCommand, GoesOnWhereItWasCutOff) {
 TEST_F(SweepCommand, IsEqualAfterKills) {
   ASSERT_EQ(sweep(whole, {"--threads", "1"}).code, exit_code::ok);
   for (int kill_number = 0; kill_number < 3; ++kill_number) {
-    const std::size_t before = contents_of(part).size();
+    const std::size_t before = test::contents_of(part).size();
     const pid_t child = fork();
     ASSERT_GE(child, 0);
     if (child == 0) _exit(sweep(part, {"--threads", "1"}).code);
-    while (contents_of(part).size() < before + 200 && waitpid(child, nullptr, WNOHANG) == 0) usleep(200);
+    while (test::contents_of(part).size() < before + 200 && waitpid(child, nullptr, WNOHANG) == 0)
+      usleep(200);
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
   }
   EXPECT_EQ(sweep(part).code, exit_code::ok);
-  EXPECT_EQ(contents_of(part), contents_of(whole));
+  EXPECT_EQ(test::contents_of(part), test::contents_of(whole));
 }
 
 TEST_F(SweepCommand, ShardsMergeToTheWhole) {
@@ -118,7 +114,7 @@ TEST_F(SweepCommand, ShardsMergeToTheWhole) {
       parts += shard_file(i) + " ";
     }
     ASSERT_EQ(run({"merge", parts.c_str(), "-o", merged.c_str()}).code, exit_code::ok);
-    EXPECT_EQ(contents_of(merged), contents_of(whole)) << count;
+    EXPECT_EQ(test::contents_of(merged), test::contents_of(whole)) << count;
   }
 }
 
@@ -135,7 +131,7 @@ TEST_F(SweepCommand, PartsThatDoNotBelongTogetherAreRefused) {
   EXPECT_EQ(refused(one), "Shard 2/2 is missing; give its file, too.\n");
   EXPECT_NE(refused(one + " " + other).find("is of another sweep"), std::string::npos);
   EXPECT_NE(refused(one + " " + two + " " + one).find("are the same shard"), std::string::npos);
-  const std::string text = contents_of(two);
+  const std::string text = test::contents_of(two);
   write(two, text.substr(0, text.size() - 20));
   EXPECT_NE(refused(one + " " + two).find("is damaged at its row"), std::string::npos);
   for (const std::size_t at : {text.rfind("mapped"), text.size() - 2}) {
@@ -145,7 +141,7 @@ TEST_F(SweepCommand, PartsThatDoNotBelongTogetherAreRefused) {
     EXPECT_NE(refused(one + " " + two).find("is damaged at its row 14"), std::string::npos) << damaged;
     const std::string said = sweep(two, {"--shard", "2/2"}).messages;
     EXPECT_NE(said.find("has another row 14"), std::string::npos) << said;
-    EXPECT_EQ(contents_of(two), damaged);
+    EXPECT_EQ(test::contents_of(two), damaged);
   }
   write(two, text.substr(0, text.rfind('\n', text.size() - 2) + 1));
   EXPECT_NE(refused(one + " " + two).find("has 13 of its 14 rows"), std::string::npos);
@@ -156,13 +152,13 @@ TEST_F(SweepCommand, PartsThatDoNotBelongTogetherAreRefused) {
 TEST_F(SweepCommand, FilesOfOtherSweepsStayAsTheyAre) {
   write(part, "time,x,y\n0,1,2\n");
   EXPECT_EQ(sweep(part).code, exit_code::bad_input);
-  EXPECT_EQ(contents_of(part), "time,x,y\n0,1,2\n");
+  EXPECT_EQ(test::contents_of(part), "time,x,y\n0,1,2\n");
   ASSERT_EQ(sweep(whole).code, exit_code::ok);
-  const std::string text = contents_of(whole);
+  const std::string text = test::contents_of(whole);
   const Outcome other = sweep(whole, {"--margin", "parallel=0.1"});
   EXPECT_EQ(other.code, exit_code::bad_input);
   EXPECT_NE(other.messages.find("is of another robot, command"), std::string::npos) << other.messages;
-  EXPECT_EQ(contents_of(whole), text);
+  EXPECT_EQ(test::contents_of(whole), text);
 }
 
 TEST_F(SweepCommand, SobolFillsTheRanges) {
@@ -170,7 +166,7 @@ TEST_F(SweepCommand, SobolFillsTheRanges) {
       run({"sweep", "five_bar", "--vary", "crank_1=6:8 rod_2=7:9", "--sample", "sobol", "--designs", "8",
            "--resolution", "2", "--report", "workspace", "--shape", "disc", "-o", whole.c_str()});
   ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages;
-  EXPECT_EQ(test::line_count(contents_of(whole)), 10U);
+  EXPECT_EQ(test::line_count(test::contents_of(whole)), 10U);
 }
 
 std::size_t occurrences(const std::string& text, const std::string& word) {
@@ -191,8 +187,8 @@ TEST_F(SweepCommand, ChartsHaveACellADesignAndLinesWhereTheNumberOfAspectsChange
   const Outcome plane = drawn({});
   ASSERT_EQ(plane.code, exit_code::ok) << plane.messages;
   EXPECT_NE(plane.output.find("measure_lower of 28 designs over crank_1 and rod_2"), std::string::npos);
-  EXPECT_EQ(occurrences(contents_of(picture), ">not known<"), 4U) << "a length of -1";
-  EXPECT_EQ(occurrences(contents_of(picture), ", aspects: "), 24U);
+  EXPECT_EQ(occurrences(test::contents_of(picture), ">not known<"), 4U) << "a length of -1";
+  EXPECT_EQ(occurrences(test::contents_of(picture), ", aspects: "), 24U);
   const Outcome line = drawn({"--at", "rod_2=3"});
   ASSERT_EQ(line.code, exit_code::ok) << line.messages;
   EXPECT_NE(line.output.find("of 7 designs over crank_1"), std::string::npos) << line.output;
