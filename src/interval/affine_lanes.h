@@ -59,6 +59,62 @@ class AffineLanes {
   friend AffineLanes operator-(const AffineLanes& a, const AffineLanes& b) noexcept { return a + (-b); }
 
   friend AffineLanes operator*(const AffineLanes& a, const AffineLanes& b) noexcept {
+    return outlined<Number>([&a, &b] { return product(a, b); });
+  }
+
+  friend AffineLanes operator*(const Interval& factor, const AffineLanes& a) noexcept {
+    return outlined<Number>([&factor, &a] { return multiplied(factor, a); });
+  }
+
+  AffineLanes& operator+=(const AffineLanes& other) noexcept { return *this = *this + other; }
+
+  friend AffineLanes square(const AffineLanes& a) noexcept { return a * a; }
+
+  /// 1/a where a is known to be at least `least` > 0 on the box.
+  friend AffineLanes reciprocal(const AffineLanes& a, double least) noexcept {
+    return reciprocal(a, in_lanes<Number>(least));
+  }
+  friend AffineLanes reciprocal(const AffineLanes& a, const Number& least) noexcept {
+    return outlined<Number>([&a, &least] { return reciprocal_of(a, least); });
+  }
+
+  /// sqrt(a) where a is known to be at least `least` > 0 on the box.
+  friend AffineLanes square_root(const AffineLanes& a, const Number& least) noexcept {
+    return outlined<Number>([&a, &least] { return square_root_of(a, least); });
+  }
+
+  /// The one form in lanes where the condition holds, the other elsewhere.
+  template <class Mask>
+  friend AffineLanes where(const Mask& condition, const AffineLanes& a, const AffineLanes& b) noexcept {
+    AffineLanes result;
+    result.center_ = where(condition, a.center_, b.center_);
+    for (std::size_t i = 0; i < N; ++i) result.slope_[i] = where(condition, a.slope_[i], b.slope_[i]);
+    result.error_ = where(condition, a.error_, b.error_);
+    return result;
+  }
+
+  /// { cos(pi a), sin(pi a) } for a within [-1, 1].
+  friend Turn<AffineLanes> turn_of_half_turns(const AffineLanes& a) noexcept {
+    return outlined<Number>([&a] { return turn_of(a); });
+  }
+
+ private:
+  static constexpr double rounding = 0x1p-52;
+  static constexpr double many_roundings = 0x1p-48;
+  static constexpr double smallest =
+      0x1p-900;  // products that underflow are off by less than its square root
+
+  static double middle(const Interval& a) noexcept { return 0.5 * (a.lower() + a.upper()); }
+  static double half_width(const Interval& a, double from) noexcept {
+    return larger_of(a.upper() - from, from - a.lower());
+  }
+  static Number middle(const Range& a) noexcept { return 0.5 * (a.lower() + a.upper()); }
+  static Number half_width(const Range& a, const Number& from) noexcept {
+    return larger_of(Number(a.upper() - from), Number(from - a.lower()));
+  }
+  static Number lower_bound(const Number& a) noexcept { return a * (1.0 - 0x1p-50); }
+
+  static AffineLanes product(const AffineLanes& a, const AffineLanes& b) noexcept {
     const Number spread_a = a.spread(), spread_b = b.spread();
     const Number size_a = modulus(a.center_), size_b = modulus(b.center_);
     AffineLanes result;
@@ -80,77 +136,6 @@ class AffineLanes {
     return result;
   }
 
-  friend AffineLanes operator*(const Interval& factor, const AffineLanes& a) noexcept {
-    return multiplied(factor, a);
-  }
-
-  AffineLanes& operator+=(const AffineLanes& other) noexcept { return *this = *this + other; }
-
-  friend AffineLanes square(const AffineLanes& a) noexcept { return a * a; }
-
-  /// 1/a where a is known to be at least `least` > 0 on the box.
-  friend AffineLanes reciprocal(const AffineLanes& a, double least) noexcept {
-    return reciprocal(a, in_lanes<Number>(least));
-  }
-  friend AffineLanes reciprocal(const AffineLanes& a, const Number& least) noexcept {
-    const Range range = a.range();
-    const Number lower = larger_of(least, range.lower());
-    const auto is_linear = (a.center_ > lower) & (lower > 0.0);
-    if (in_none(is_linear)) return AffineLanes(reciprocal(Range(lower, range.upper())));
-    const AffineLanes result = linear_reciprocal(a, where(is_linear, lower, in_lanes<Number>(1.0)),
-                                                 where(is_linear, a.center_, in_lanes<Number>(1.0)));
-    if (in_all(is_linear)) return result;
-    return where(is_linear, result, AffineLanes(reciprocal(Range(lower, range.upper()))));
-  }
-
-  /// sqrt(a) where a is known to be at least `least` > 0 on the box.
-  friend AffineLanes square_root(const AffineLanes& a, const Number& least) noexcept {
-    const Range range = a.range();
-    const Number lower = larger_of(least, range.lower());
-    const auto is_linear = (a.center_ > lower) & (lower > 0.0);
-    if (in_none(is_linear)) return AffineLanes(square_root(Range(lower, range.upper())));
-    const AffineLanes result = linear_root(a, where(is_linear, lower, in_lanes<Number>(1.0)),
-                                           where(is_linear, a.center_, in_lanes<Number>(1.0)));
-    if (in_all(is_linear)) return result;
-    return where(is_linear, result, AffineLanes(square_root(Range(lower, range.upper()))));
-  }
-
-  /// The one form in lanes where the condition holds, the other elsewhere.
-  template <class Mask>
-  friend AffineLanes where(const Mask& condition, const AffineLanes& a, const AffineLanes& b) noexcept {
-    AffineLanes result;
-    result.center_ = where(condition, a.center_, b.center_);
-    for (std::size_t i = 0; i < N; ++i) result.slope_[i] = where(condition, a.slope_[i], b.slope_[i]);
-    result.error_ = where(condition, a.error_, b.error_);
-    return result;
-  }
-
-  /// { cos(pi a), sin(pi a) } for a within [-1, 1].
-  friend Turn<AffineLanes> turn_of_half_turns(const AffineLanes& a) noexcept {
-    const Range range = intersection(a.range(), Range(Interval(-1.0, 1.0))), center(a.center_, a.center_);
-    const Turn<Range> at = turn_of_half_turns(center), over = turn_of_half_turns(range);
-    const Range pi = pi_enclosure();
-    const Range bend = Range(0.5) * square(pi * Range(Number{}, a.deviation()));
-    return {linear(a, at.cosine, -(pi * at.sine), -(bend * over.cosine)),
-            linear(a, at.sine, pi * at.cosine, -(bend * over.sine))};
-  }
-
- private:
-  static constexpr double rounding = 0x1p-52;
-  static constexpr double many_roundings = 0x1p-48;
-  static constexpr double smallest =
-      0x1p-900;  // products that underflow are off by less than its square root
-
-  static double middle(const Interval& a) noexcept { return 0.5 * (a.lower() + a.upper()); }
-  static double half_width(const Interval& a, double from) noexcept {
-    return larger_of(a.upper() - from, from - a.lower());
-  }
-  static Number middle(const Range& a) noexcept { return 0.5 * (a.lower() + a.upper()); }
-  static Number half_width(const Range& a, const Number& from) noexcept {
-    return larger_of(Number(a.upper() - from), Number(from - a.lower()));
-  }
-  static Number lower_bound(const Number& a) noexcept { return a * (1.0 - 0x1p-50); }
-
   /// Factor: an interval for all lanes, or one for each.
   template <class Factor>
   static AffineLanes multiplied(const Factor& factor, const AffineLanes& a) noexcept {
@@ -162,6 +147,37 @@ class AffineLanes {
     result.error_ = size * a.error_ + half_width(factor, middle_factor) * largest +
                     many_roundings * (size * largest + smallest);
     return result;
+  }
+
+  static AffineLanes reciprocal_of(const AffineLanes& a, const Number& least) noexcept {
+    const Range range = a.range();
+    const Number lower = larger_of(least, range.lower());
+    const auto is_linear = (a.center_ > lower) & (lower > 0.0);
+    if (in_none(is_linear)) return AffineLanes(reciprocal(Range(lower, range.upper())));
+    const AffineLanes result = linear_reciprocal(a, where(is_linear, lower, in_lanes<Number>(1.0)),
+                                                 where(is_linear, a.center_, in_lanes<Number>(1.0)));
+    if (in_all(is_linear)) return result;
+    return where(is_linear, result, AffineLanes(reciprocal(Range(lower, range.upper()))));
+  }
+
+  static AffineLanes square_root_of(const AffineLanes& a, const Number& least) noexcept {
+    const Range range = a.range();
+    const Number lower = larger_of(least, range.lower());
+    const auto is_linear = (a.center_ > lower) & (lower > 0.0);
+    if (in_none(is_linear)) return AffineLanes(square_root(Range(lower, range.upper())));
+    const AffineLanes result = linear_root(a, where(is_linear, lower, in_lanes<Number>(1.0)),
+                                           where(is_linear, a.center_, in_lanes<Number>(1.0)));
+    if (in_all(is_linear)) return result;
+    return where(is_linear, result, AffineLanes(square_root(Range(lower, range.upper()))));
+  }
+
+  static Turn<AffineLanes> turn_of(const AffineLanes& a) noexcept {
+    const Range range = intersection(a.range(), Range(Interval(-1.0, 1.0))), center(a.center_, a.center_);
+    const Turn<Range> at = turn_of_half_turns(center), over = turn_of_half_turns(range);
+    const Range pi = pi_enclosure();
+    const Range bend = Range(0.5) * square(pi * Range(Number{}, a.deviation()));
+    return {linear(a, at.cosine, -(pi * at.sine), -(bend * over.cosine)),
+            linear(a, at.sine, pi * at.cosine, -(bend * over.sine))};
   }
 
   // 1/a = 1/c - x/c^2 + x^2/(c^2 a) with a = c + x >= lower > 0.

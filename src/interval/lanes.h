@@ -7,7 +7,17 @@
 
 // Several numbers at once, in the lanes of a vector, and functions that do with each lane what they do with
 // one number. Lanes round as one number does: what is computed in them is the same to the last digit. All of
-// it is inlined, so that it takes on the instruction set of the function that it is used in.
+// it is inlined, so that it takes on the instruction set of the function that it is used in (see `outlined`).
+
+// Whether single functions can be compiled for wider vectors than the program. Sanitizers would make such
+// functions huge.
+#if defined(__x86_64__) && defined(__OPTIMIZE__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define PARALLEL_ASPECTS_HAS_WIDE_LANES
+#define PARALLEL_ASPECTS_OUTLINED(instructions) [[gnu::target(instructions), gnu::flatten, gnu::noinline]]
+#else
+#define PARALLEL_ASPECTS_OUTLINED(instructions)
+#endif
 
 namespace parallel_aspects {
 
@@ -16,20 +26,48 @@ struct LanesOf {
   using Numbers [[gnu::vector_size(Count * sizeof(double))]] = double;
 };
 
-/// Of `Count` numbers: 2, 4 or 8.
+/// Of `Count` numbers: 2 or 4.
 template <std::size_t Count>
 using Lanes = typename LanesOf<Count>::Numbers;
 
 template <class Numbers>
 inline constexpr std::size_t lane_count = sizeof(Numbers) / sizeof(double);
 
+/// Functions that are compiled for the processors that have vectors of these numbers, with all that they call
+/// inlined. Nothing else of the program may be compiled for more than its oldest processor.
+template <class Numbers>
+struct LaneCode;
+
+template <>
+struct LaneCode<Lanes<2>> {
+  template <class Work>
+  PARALLEL_ASPECTS_OUTLINED("sse2")
+  static auto run(const Work& work) noexcept {
+    return work();
+  }
+};
+
+template <>
+struct LaneCode<Lanes<4>> {
+  template <class Work>
+  PARALLEL_ASPECTS_OUTLINED("avx2")
+  static auto run(const Work& work) noexcept {
+    return work();
+  }
+};
+
+/// `work()`, compiled once as a function of its own and not inlined wherever it is used: what is computed in
+/// lanes comes to many instructions, and would take minutes to compile as one piece.
+template <class Numbers, class Work>
+[[gnu::always_inline]] inline auto outlined(const Work& work) noexcept {
+  return LaneCode<Numbers>::run(work);
+}
+
 /// The same number in every lane.
 template <class Numbers>
 [[gnu::always_inline]] inline Numbers in_lanes(double value) noexcept {
   if constexpr (sizeof(Numbers) == sizeof(Lanes<2>)) return Numbers{value, value};
   if constexpr (sizeof(Numbers) == sizeof(Lanes<4>)) return Numbers{value, value, value, value};
-  if constexpr (sizeof(Numbers) == sizeof(Lanes<8>))
-    return Numbers{value, value, value, value, value, value, value, value};
 }
 
 /// |a|.

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_BATCHES_BOX_LANES_H
 
 #include "aspects/batches/box_requests.h"
-#include "aspects/batches/lane_classifier.h"
+#include "aspects/batches/chart_lanes.h"
 #include "aspects/batches/lane_stages.h"
 #include "aspects/batches/lane_states.h"
 #include "aspects/batches/slope_lanes.h"
@@ -35,14 +35,14 @@ class BoxLanes {
 
   /// Writes the states of all requests; see `classify_in_lanes`.
   void classify(Detail detail) {
-    const LaneIntervals<Chart, Numbers> intervals(chart_, requests_[0].root, ranges_);
+    const auto intervals = LaneIntervals<Chart, Numbers>::of(chart_, requests_[0].root, ranges_);
     Mask open{};
     for (std::size_t mode = 0; mode < signs_.size(); ++mode) {
       determinants_[mode] = intervals.determinant(signs_[mode]);
       states_[mode] = state_in_lanes(intervals, determinants_[mode], signs_[mode]);
       open |= open_in(mode);
     }
-    if (!in_none(open)) classify_by_forms(LaneForms<Chart, Numbers>(intervals), detail);
+    if (!in_none(open)) classify_by_forms(LaneForms<Chart, Numbers>::of(intervals), detail);
     write();
   }
 
@@ -75,7 +75,8 @@ class BoxLanes {
       still_open |= open_in(mode);
     }
     if constexpr (has_slope_lanes<Chart>)
-      if (!in_none(still_open) && detail == Detail::parts) add_whole_parts(SlopeLanes<Chart, Numbers>(forms));
+      if (!in_none(still_open) && detail == Detail::parts)
+        add_whole_parts(SlopeLanes<Chart, Numbers>::of(forms));
   }
 
   /// See BoxForms::center_sign.

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/batches/box_requests.h"
 
-#include "aspects/batches/lane_classifier.h"
-#include "aspects/batches/lane_examiner.h"
-#include "aspects/batches/lane_index.h"
+#include "aspects/batches/chart_lanes.h"
 #include "aspects/boxes/chart_classifier.h"
+#include "interval/lanes.h"
 
 #include <atomic>
 
@@ -20,8 +19,8 @@ bool are_examined_in_lanes(const BoxClassifier& classifier, std::size_t mode, in
                            InstructionSet instructions) {
   const auto* of_chart = dynamic_cast<const ChartClassifier<Chart>*>(&classifier);
   if (of_chart == nullptr || !of_chart->is_limited_only()) return false;
-  examine_in_lanes(of_chart->chart(), of_chart->signs()[mode], sign, classifier.policy().shells, boxes,
-                   examined.data(), instructions);
+  ChartLanes<Chart>::examine(of_chart->chart(), of_chart->signs()[mode], sign, classifier.policy().shells,
+                             boxes, examined.data(), instructions);
   return true;
 }
 
@@ -33,8 +32,9 @@ bool are_bounded_in_lanes(const BoxClassifier& classifier, std::size_t mode, int
   const auto* of_chart = dynamic_cast<const ChartClassifier<Chart>*>(&classifier);
   if (of_chart == nullptr) return false;
   std::vector<EnclosedIndex> enclosed(boxes.size());
-  enclose_index_in_lanes({of_chart->chart(), of_chart->margins(), of_chart->signs()[mode], sign, index},
-                         boxes, enclosed.data(), instructions);
+  ChartLanes<Chart>::enclose_index(
+      {of_chart->chart(), of_chart->margins(), of_chart->signs()[mode], sign, index}, boxes, enclosed.data(),
+      instructions);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Interval& known = enclosed[i].range;
     ranges[i] = enclosed[i].may_be_closer
@@ -123,13 +123,27 @@ bool are_done_in_lanes(const BoxClassifier& classifier, const BoxRequests& reque
   if (of_chart == nullptr || !of_chart->is_limited_only() || (needs_parts && !has_part_lanes<Chart>))
     return false;
   const bool apart = detail == Detail::all_parts || (detail == Detail::parts && !has_slope_lanes<Chart>);
-  classify_in_lanes(of_chart->chart(), of_chart->signs(), requests, apart ? Detail::centers : detail,
-                    instructions);
+  ChartLanes<Chart>::classify(of_chart->chart(), of_chart->signs(), requests,
+                              apart ? Detail::centers : detail, instructions);
   if (apart) add_whole_parts(classifier, of_chart->signs().size(), requests, detail, instructions);
   return true;
 }
 
 }  // namespace
+
+bool has_instructions(InstructionSet instructions) noexcept {
+  if (instructions != InstructionSet::avx2) return true;
+#ifdef PARALLEL_ASPECTS_HAS_WIDE_LANES
+  __builtin_cpu_init();  // this may run before other initialisation
+  return __builtin_cpu_supports("avx2");
+#else
+  return false;
+#endif
+}
+
+InstructionSet widest_instructions() noexcept {
+  return has_instructions(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::sse2;
+}
 
 InstructionSet instructions_in_use() noexcept { return in_use; }
 

@@ -19,9 +19,9 @@ struct BoxRequest {
 };
 using BoxRequests = std::vector<BoxRequest>;
 
-/// Whose vectors boxes are classified in, as many at once as they have lanes: two, four or eight. With `none`
-/// one by one. What is found is the same to the last digit.
-enum class InstructionSet { none, sse2, avx2, avx512 };
+/// Whose vectors boxes are classified in, as many at once as they have lanes: two or four. With `none` one by
+/// one. What is found is the same to the last digit.
+enum class InstructionSet { none, sse2, avx2 };
 
 /// Whether this processor has it.
 bool has_instructions(InstructionSet instructions) noexcept;

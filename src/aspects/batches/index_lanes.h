@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_BATCHES_INDEX_LANES_H
 
 #include "aspects/batches/box_requests.h"
-#include "aspects/batches/lane_index.h"
+#include "aspects/batches/chart_lanes.h"
 #include "aspects/batches/lane_stages.h"
 #include "aspects/boxes/box_intervals.h"
 #include "aspects/boxes/index_on_arcs.h"
@@ -32,11 +32,11 @@ class IndexLanes {
   }
 
   void enclose(EnclosedIndex* enclosed) {
-    const LaneIntervals<Chart, Numbers> intervals(of_.chart, root_, ranges_);
+    const auto intervals = LaneIntervals<Chart, Numbers>::of(of_.chart, root_, ranges_);
     range_ = by_intervals(intervals);
     Mask nowhere = intervals.entries().reachable_nowhere, open = ~nowhere & ~is_enough();
     if (!in_none(open)) {
-      const LaneForms<Chart, Numbers> forms(intervals);
+      const auto forms = LaneForms<Chart, Numbers>::of(intervals);
       nowhere |= open & forms.entries().reachable_nowhere;
       range_ = where(open, intersection(range_, by_forms(forms)), range_);
       open &= ~nowhere & ~is_enough() & is_near_axis(intervals);

@@ -93,6 +93,22 @@ class LaneIntervals {
   using Range = typename Types::Range;
   using Mask = typename Types::Mask;
 
+  static LaneIntervals of(const Chart& chart, RootIndex root, const typename Types::Ranges& ranges) {
+    return outlined<Numbers>([&] { return LaneIntervals(chart, root, ranges); });
+  }
+
+  const Chart& chart() const { return chart_; }
+  RootIndex root() const { return root_; }
+  const typename Types::Ranges& ranges() const { return ranges_; }
+  const PlacedLegs<Chart, Range>& placed() const { return placed_; }
+  const LaneEntries<Chart, Numbers>& entries() const { return entries_; }
+  const LaneLimits<Chart, Numbers>& limits() const { return limits_; }
+  const EvaluatedLegs<Chart, Range>& legs() const { return legs_; }
+  Range determinant(const typename Types::Signs& signs) const {
+    return outlined<Numbers>([&] { return legs_.determinant(signs); });
+  }
+
+ private:
   LaneIntervals(const Chart& chart, RootIndex root, const typename Types::Ranges& ranges)
       : chart_(chart),
         root_(root),
@@ -102,16 +118,6 @@ class LaneIntervals {
         limits_(chart, placed_, entries_),
         legs_(chart, placed_, entries_.values) {}
 
-  const Chart& chart() const { return chart_; }
-  RootIndex root() const { return root_; }
-  const typename Types::Ranges& ranges() const { return ranges_; }
-  const PlacedLegs<Chart, Range>& placed() const { return placed_; }
-  const LaneEntries<Chart, Numbers>& entries() const { return entries_; }
-  const LaneLimits<Chart, Numbers>& limits() const { return limits_; }
-  const EvaluatedLegs<Chart, Range>& legs() const { return legs_; }
-  Range determinant(const typename Types::Signs& signs) const { return legs_.determinant(signs); }
-
- private:
   const Chart& chart_;
   RootIndex root_;
   const typename Types::Ranges& ranges_;
@@ -131,12 +137,9 @@ class LaneForms {
   using Mask = typename Types::Mask;
   static constexpr std::size_t leg_count = Chart::leg_count, coordinate_count = Chart::coordinate_count;
 
-  explicit LaneForms(const LaneIntervals<Chart, Numbers>& intervals)
-      : intervals_(intervals),
-        placed_(intervals.chart(), intervals.root(), coordinates(intervals.ranges())),
-        entries_(closer_squares()),
-        limits_(intervals.chart(), intervals.placed(), entries_),
-        legs_(intervals.chart(), placed_, entry_forms()) {}
+  static LaneForms of(const LaneIntervals<Chart, Numbers>& intervals) {
+    return outlined<Numbers>([&] { return LaneForms(intervals); });
+  }
 
   const LaneIntervals<Chart, Numbers>& intervals() const { return intervals_; }
   const PlacedLegs<Chart, Form>& placed() const { return placed_; }
@@ -157,6 +160,18 @@ class LaneForms {
 
   /// Where the centers are reachable and within limits: see BoxForms::center_is_reachable.
   typename Types::ByLegAndBranch reachable_centers() const {
+    return outlined<Numbers>([this] { return find_reachable_centers(); });
+  }
+
+ private:
+  explicit LaneForms(const LaneIntervals<Chart, Numbers>& intervals)
+      : intervals_(intervals),
+        placed_(intervals.chart(), intervals.root(), coordinates(intervals.ranges())),
+        entries_(closer_squares()),
+        limits_(intervals.chart(), intervals.placed(), entries_),
+        legs_(intervals.chart(), placed_, entry_forms()) {}
+
+  typename Types::ByLegAndBranch find_reachable_centers() const {
     typename Types::ByLegAndBranch reachable;
     for (std::size_t j = 0; j < leg_count; ++j) {
       const Range square = placed_.squared_entry(j).at_center();
@@ -174,7 +189,6 @@ class LaneForms {
     return reachable;
   }
 
- private:
   std::array<Range, leg_count> closer_squares() const {
     std::array<Range, leg_count> result = squares_of(placed_);
     for (std::size_t j = 0; j < leg_count; ++j)

@@ -33,12 +33,12 @@ class PartLanes {
 
   void examine(bool shells, Examined* examined) {
     growth_.forget(~Mask{});
-    const LaneIntervals<Chart, Numbers> intervals(chart_, root_, ranges_);
+    const auto intervals = LaneIntervals<Chart, Numbers>::of(chart_, root_, ranges_);
     const Range natural = intervals.determinant(signs_);
     states_ = state_in_lanes(intervals, natural, signs_);
     const Mask undecided = undecided_in_lanes(states_);
     if (!in_none(undecided))
-      examine_by_forms(LaneForms<Chart, Numbers>(intervals), natural, undecided, shells);
+      examine_by_forms(LaneForms<Chart, Numbers>::of(intervals), natural, undecided, shells);
     write(examined);
   }
 
@@ -55,7 +55,7 @@ class PartLanes {
     const Mask asked = undecided & undecided_in_lanes(states_) &
                        has_bits(states_, sign_ > 0 ? lane_bits::may_be_positive : lane_bits::may_be_negative);
     if (in_none(asked)) return;
-    const Slopes slopes(forms);
+    const Slopes slopes = Slopes::of(forms);
     growth_ = slopes.monotonicity(signs_, sign_, determinant);
     const Mask along = slopes.along_all(growth_);
     growth_.forget(~asked);

@@ -65,13 +65,8 @@ class SlopeLanes {
   using Signs = typename Forms::Types::Signs;
   static constexpr std::size_t leg_count = Chart::leg_count, coordinate_count = Chart::coordinate_count;
 
-  explicit SlopeLanes(const Forms& forms)
-      : forms_(forms),
-        placed_(chart(), forms.intervals().root(), coordinates()),
-        legs_(chart(), placed_, entry_slopes()) {
-    for (std::size_t j = 0; j < leg_count; ++j) unclear_count_ += ~entries().clear[j] & 1;
-    for (std::size_t i = 0; i < coordinate_count; ++i)
-      has_width_[i] = ranges()[i].upper() - ranges()[i].lower() > 0.0;
+  static SlopeLanes of(const Forms& forms) {
+    return outlined<Numbers>([&forms] { return SlopeLanes(forms); });
   }
 
   /// See BoxSlopes::is_whole, without faces. `determinant` is that of the forms.
@@ -124,6 +119,15 @@ class SlopeLanes {
  private:
   using Slope = Dual<coordinate_count, Form>;
 
+  explicit SlopeLanes(const Forms& forms)
+      : forms_(forms),
+        placed_(chart(), forms.intervals().root(), coordinates()),
+        legs_(chart(), placed_, entry_slopes()) {
+    for (std::size_t j = 0; j < leg_count; ++j) unclear_count_ += ~entries().clear[j] & 1;
+    for (std::size_t i = 0; i < coordinate_count; ++i)
+      has_width_[i] = ranges()[i].upper() - ranges()[i].lower() > 0.0;
+  }
+
   const Chart& chart() const { return forms_.intervals().chart(); }
   const auto& ranges() const { return forms_.intervals().ranges(); }
   const auto& entries() const { return forms_.entries(); }
@@ -155,6 +159,9 @@ class SlopeLanes {
 
   /// See BoxSlopes::visit_open_limits.
   void restrict_by_limits(std::size_t j, int sign, Growth& growth) const {
+    outlined<Numbers>([&] { require_limits(j, sign, growth); });
+  }
+  void require_limits(std::size_t j, int sign, Growth& growth) const {
     const Mask open = ~forms_.limits().hold[j][branch_of(sign)];
     if (in_none(open)) return;
     growth.forget(open & ~entries().clear[j]);
@@ -170,6 +177,9 @@ class SlopeLanes {
 
   /// See BoxSlopes::monotonicity_of_determinant.
   Growth monotonicity_of_determinant(const Signs& signs, int sign) const {
+    return outlined<Numbers>([&] { return growth_of_determinant(signs, sign); });
+  }
+  Growth growth_of_determinant(const Signs& signs, int sign) const {
     Growth growth;
     const Interval factor(sign);
     const Slope function = factor * legs_.determinant(signs);
@@ -198,6 +208,9 @@ class SlopeLanes {
     return Determinants<Form, leg_count>(rows).of(signs);
   }
   Form determinant_without_entry(std::size_t j, const Signs& signs) const {
+    return outlined<Numbers>([&] { return determinant_of_fixed(j, signs); });
+  }
+  Form determinant_of_fixed(std::size_t j, const Signs& signs) const {
     auto rows = forms_.legs().rows();
     rows[j].positive = rows[j].negative = forms_.placed().legs[j].rows.fixed;
     return Determinants<Form, leg_count>(rows).of(signs);
