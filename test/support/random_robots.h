@@ -100,6 +100,27 @@ inline std::string space_and_actuation_name(const testing::TestParamInfo<SpaceAn
   return std::string(name(std::get<0>(info.param))) + "_" + kinds[static_cast<int>(std::get<1>(info.param))];
 }
 
+/// A planar robot whose workspace limits bind and, where asked for, those of actuated joints too.
+inline std::shared_ptr<const Manipulator> bounded_robot(unsigned seed, TaskSpace space, bool limited) {
+  RandomRobots random(seed);
+  ManipulatorDescription description = random.robot(space, all_actuation_kinds[seed % 3])->description();
+  WorkspaceBox box;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const double middle = random.uniform(-0.7, 0.7), half = random.uniform(0.2, 1.2);
+    box.lower[i] = middle - half;
+    box.upper[i] = middle + half;
+  }
+  description.constraints.workspace = box;
+  for (Leg& leg : description.legs) {
+    if (!limited || random.uniform(0.0, 1.0) >= 0.7) continue;
+    const double middle = random.uniform(-2.0, 2.0), half = random.uniform(0.3, 1.5);
+    const bool is_strut = leg.kind().type == LegType::strut;
+    leg.limits =
+        is_strut ? JointLimits{0.5 * half, 0.5 * half + 1.0} : JointLimits{middle - half, middle + half};
+  }
+  return std::make_shared<const Manipulator>(description);
+}
+
 }  // namespace parallel_aspects::test
 
 #endif  // PARALLEL_ASPECTS_TEST_SUPPORT_RANDOM_ROBOTS_H

@@ -100,20 +100,23 @@ void check_center(const WorkspaceQuestion& question, std::size_t free, Problems&
                          " that is not a finite number of a free position; correct it, or leave it out.");
 }
 
-/// Half turns of an angle, no less or no more than it is: two roundings of half a unit in the last place.
-double outward_half_turns(double angle, double towards) {
+/// Half turns of an angle, moved past two roundings of half a unit in the last place.
+double half_turns(double angle, double towards) {
   double value = angle / EIGEN_PI;
   for (int i = 0; i < 3; ++i) value = std::nextafter(value, towards);
   return std::clamp(value, -1.0, 1.0);
 }
 
 /// The region of the map, with the angles that are asked for.
-Box angles_of(const Box& region, std::size_t free, const WorkspaceQuestion& question) {
-  Box box = region;
-  if (!question.angle || region.dimension == free) return box;
-  box.lower[free] = outward_half_turns(question.angle->lower, -2.0);
-  box.upper[free] = outward_half_turns(question.angle->upper, 2.0);
-  return box;
+AngleBounds angles_of(const Box& region, std::size_t free, const WorkspaceQuestion& question) {
+  AngleBounds bounds{region, region};
+  if (!question.angle || region.dimension == free) return bounds;
+  const auto [lower, upper] = *question.angle;
+  bounds.outer.lower[free] = half_turns(lower, -2.0);
+  bounds.outer.upper[free] = half_turns(upper, 2.0);
+  bounds.inner.lower[free] = half_turns(lower, 2.0);
+  bounds.inner.upper[free] = half_turns(upper, -2.0);
+  return bounds;
 }
 
 /// Boxes of centers: all positions of the region, or those that are held.

@@ -49,7 +49,7 @@ RegularWorkspace ShapeSearch::run(const Box& centers, const MapPoint& first) {
   assert_rounding_upward();
   whole_ = gauge_.half_extent(leaves_.positions());
   if (centers.contains(first)) take(first, leaves_.room(first, HUGE_VAL, 0.0).lower);
-  push(centers, HUGE_VAL, centers.middle());
+  push(centers, HUGE_VAL, std::nullopt);
   const std::size_t last_look = leaves_.looks() + options_.leaves;
   while (!queue_.empty() && queue_.top().bound > enough() && !is_cancelled(options_.control) &&
          leaves_.looks() < last_look) {
@@ -58,7 +58,7 @@ RegularWorkspace ShapeSearch::run(const Box& centers, const MapPoint& first) {
     halve(cell);
   }
   if (!queue_.empty()) give_up(queue_.top().bound);
-  settle();
+  settle(centers);
   return best_;
 }
 
@@ -80,12 +80,16 @@ ShapeRoom ShapeSearch::room_about(const MapPoint& center, double half) {
 
 void ShapeSearch::give_up(double bound) { best_.upper = std::max(best_.upper, bound); }
 
-void ShapeSearch::push(const Box& centers, double bound, const MapPoint& obstacle) {
+// Left out are boxes of centers about which no shape is larger than `known`, which bounds what is reported,
+// and those that hold no pose of these aspects. The bound of the box holds for its parts, and so does the
+// obstacle: no shape holds that, wherever its center is.
+void ShapeSearch::push(const Box& centers, double bound, const std::optional<MapPoint>& obstacle) {
   const double half = gauge_.half_extent(centers);
-  // What limits the room about a box of centers limits that about its parts.
-  const Box point{gauge_.dimension(), obstacle, obstacle};
-  const double known =
-      !std::isfinite(bound) ? bound : std::min(bound, gauge_.distance(centers.middle(), point) + half);
+  double known = bound;
+  if (obstacle) {
+    const Box point{gauge_.dimension(), *obstacle, *obstacle};
+    known = std::min(known, gauge_.distance(centers.middle(), point) + half);
+  }
   if (known <= enough()) return give_up(known);
   if (!leaves_.may_hold(like_, centers)) return;
   add({centers, known, obstacle}, half);
@@ -125,9 +129,12 @@ void ShapeSearch::halve(const Cell& cell) {
   push(upper, cell.bound, cell.obstacle);
 }
 
-// The shape that is reported, proved once more as it is.
-void ShapeSearch::settle() {
-  const MapPoint center = in_few_digits(best_.center);
+// The shape that is reported, proved once more as it is. What is held of its center is kept to the last
+// digit.
+void ShapeSearch::settle(const Box& centers) {
+  MapPoint center = in_few_digits(best_.center);
+  for (std::size_t i = 0; i < gauge_.dimension(); ++i)
+    if (centers.lower[i] == centers.upper[i]) center[i] = centers.lower[i];
   const double size = leaves_.room(center, finest_extent(best_.lower), 0.0).lower * (1.0 - few_units);
   const bool holds =
       size > 0.0 && leaves_.holds(center, size) && leaves_.aspect_of(center, size) == best_.aspect;

@@ -31,19 +31,19 @@ class ShapeSearch {
   struct Cell {
     Box centers;
     double bound;
-    MapPoint obstacle;
+    std::optional<MapPoint> obstacle;  ///< that limits the room about its middle
     bool operator<(const Cell& other) const { return bound < other.bound; }
   };
 
   double enough() const;
   double finest_extent(double size) const;
   ShapeRoom room_about(const MapPoint& center, double half);
-  void push(const Box& centers, double bound, const MapPoint& obstacle);
+  void push(const Box& centers, double bound, const std::optional<MapPoint>& obstacle);
   void add(const Cell& cell, double half_extent);
   void give_up(double bound);
   void take(const MapPoint& center, double size);
   void halve(const Cell& cell);
-  void settle();
+  void settle(const Box& centers);
 
   UsableLeaves& leaves_;
   const ShapeGauge& gauge_;

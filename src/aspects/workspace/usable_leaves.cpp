@@ -15,7 +15,7 @@ constexpr std::size_t most_looks = 5000;
 }  // namespace
 
 UsableLeaves::UsableLeaves(const AspectMap::Contents& map, std::size_t mode, int sign,
-                           const ShapeGauge& gauge, const Box& angles)
+                           const ShapeGauge& gauge, const AngleBounds& angles)
     : classifier_(*map.classifier),
       region_(map.tree.region()),
       mode_(mode),
@@ -51,13 +51,13 @@ void UsableLeaves::divide(NodeIndex leaf, const Box& box) {
     leaves_.push_back({no_node, 0, state_of(classifier_.state(0, part_of(box, rank), mode_))});
 }
 
-bool UsableLeaves::meets_angles(const Box& box) const {
+bool UsableLeaves::meets(const Box& box, const Box& angles) const {
   for (std::size_t i = gauge_.dimension(); i < box.dimension; ++i)
-    if (box.upper[i] < angles_.lower[i] || box.lower[i] > angles_.upper[i]) return false;
+    if (box.upper[i] < angles.lower[i] || box.lower[i] > angles.upper[i]) return false;
   return true;
 }
 
-bool UsableLeaves::meets(const Box& positions, const Box& box) const {
+bool UsableLeaves::meets_over(const Box& positions, const Box& box) const {
   for (std::size_t i = 0; i < gauge_.dimension(); ++i)
     if (box.upper[i] < positions.lower[i] || box.lower[i] > positions.upper[i]) return false;
   return meets_angles(box);
@@ -74,7 +74,6 @@ ShapeRoom UsableLeaves::room(const MapPoint& center, double extent, double enoug
   ShapeRoom room;
   room.upper = gauge_.room(center, region_);
   room.lower = gauge_.room_at_least(center, region_);
-  room.obstacle = center;
   if (room.upper == 0.0) return room;
   queue_ = {};
   push(center, 0, region_, room);
@@ -91,6 +90,8 @@ ShapeRoom UsableLeaves::room(const MapPoint& center, double extent, double enoug
   return room;
 }
 
+// Left out are leaves that are usable, and those that are no nearer than what limits the room already. An
+// obstacle limits `upper` only where an angle of it is proved to be asked for.
 void UsableLeaves::push(const MapPoint& center, NodeIndex leaf, const Box& box, ShapeRoom& room) {
   const State state = leaves_[leaf].state;
   if (state == State::usable || !meets_angles(box)) return;
@@ -98,6 +99,7 @@ void UsableLeaves::push(const MapPoint& center, NodeIndex leaf, const Box& box, 
   if (at_least >= room.upper) return;
   if (state != State::obstacle) return queue_.push({at_least, leaf, box});
   room.lower = std::min(room.lower, at_least);
+  if (!meets(box, angles_.inner)) return;
   if (const double distance = gauge_.distance(center, box); distance < room.upper) {
     room.upper = distance;
     room.obstacle = box.nearest(center);
@@ -157,7 +159,7 @@ bool UsableLeaves::may_hold(const std::vector<int>& aspects, const Box& position
 bool UsableLeaves::may_hold(const std::vector<int>& aspects, const Box& positions, NodeIndex leaf,
                             const Box& box) const {
   const Leaf& at = leaves_[leaf];
-  if (at.state == State::obstacle || !meets(positions, box)) return false;
+  if (at.state == State::obstacle || !meets_over(positions, box)) return false;
   if (at.state == State::open) return true;
   if (at.state == State::usable)
     return at.aspect == 0 || std::find(aspects.begin(), aspects.end(), at.aspect) != aspects.end();

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <vector>
 
@@ -18,7 +19,16 @@ namespace parallel_aspects {
 struct ShapeRoom {
   double lower = 0.0;                                      ///< all of the shape of this size is proved usable
   double upper = std::numeric_limits<double>::infinity();  ///< no larger one is
-  MapPoint obstacle{};                                     ///< a point that is not usable and limits `upper`
+  /// A position that is not usable and limits `upper`: no shape holds it, wherever its center is. None where
+  /// the wall of the region limits it, which only does so about this center.
+  std::optional<MapPoint> obstacle{};
+};
+
+/// The part of the last coordinate that counts, where it is no position: boxes that hold it, and that it
+/// holds. (Where it is one angle, the second one is turned around: what meets it from both sides holds the
+/// angle.)
+struct AngleBounds {
+  Box outer, inner;
 };
 
 /// The leaves of a map in one working mode and sign of det A, S(s, sigma) of `LeafState`, divided further
@@ -29,9 +39,8 @@ struct ShapeRoom {
 /// any leaf of the map that they meet. Needs a live `RoundingUpward`.
 class UsableLeaves {
  public:
-  /// `angles`: the part of the last coordinate that counts, where it is no position.
   UsableLeaves(const AspectMap::Contents& map, std::size_t mode, int sign, const ShapeGauge& gauge,
-               const Box& angles);
+               const AngleBounds& angles);
 
   /// The room about a center. Open leaves are divided down to this extent [in the gauge]. Where `upper` falls
   /// to `enough`, nothing more is asked, nor where many leaves are looked at in vain.
@@ -72,8 +81,9 @@ class UsableLeaves {
   void copy(const AspectMap::Contents& map, NodeIndex node, NodeIndex leaf);
   void divide(NodeIndex leaf, const Box& box);
   State state_of(LeafState state) const;
-  bool meets_angles(const Box& box) const;
-  bool meets(const Box& positions, const Box& box) const;
+  bool meets(const Box& box, const Box& angles) const;
+  bool meets_angles(const Box& box) const { return meets(box, angles_.outer); }
+  bool meets_over(const Box& positions, const Box& box) const;
   void push(const MapPoint& center, NodeIndex leaf, const Box& box, ShapeRoom& room);
   void look_at(const MapPoint& center, double extent, const Near& near, ShapeRoom& room);
 
@@ -86,7 +96,7 @@ class UsableLeaves {
   std::size_t mode_;
   int sign_;
   ShapeGauge gauge_;
-  Box angles_;
+  AngleBounds angles_;
   std::vector<Leaf> leaves_;
   std::size_t looks_ = 0;
   std::priority_queue<Near> queue_;  // of the question that is answered

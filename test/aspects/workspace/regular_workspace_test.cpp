@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/configuration_at.h"
+#include "support/random_robots.h"
 #include "support/robots.h"
 #include "support/sign_at.h"
 #include "support/slices.h"
@@ -58,7 +59,8 @@ class Grid {
     for (int i = 0; i < cells; ++i)
       for (int k = 0; k < cells; ++k) {
         const test::ConfigurationAt<double> at(*robot, planar_pose(x(i), y(k)), mode);
-        holds_[place(i, k)] = at.reaches() && sign * at.determinant() > 0.0;
+        holds_[place(i, k)] = at.reaches() && at.within_limits() > 0.0 &&
+                              is_in_workspace(*robot, x(i), y(k)) && sign * at.determinant() > 0.0;
       }
     for (int i = 0; i < cells; ++i)
       for (int k = 0; k < cells; ++k) fill(i, k);
@@ -107,13 +109,22 @@ class Grid {
 
   /// The same of Euclidean distances: for each row the distance in the column, then the lower envelope tried
   /// out to where it cannot be lower.
-  double largest_disc(int component) const {
+  double largest_disc(int component) const { return roomiest(component).radius; }
+
+  /// Where it is.
+  struct Disc {
+    double radius, x, y;
+  };
+  Disc roomiest(int component) const {
     std::vector<double> column(count());
     for (int i = 0; i < cells_; ++i) sweep_column(i, column);
-    double best = 0.0;
+    Disc best{0.0, 0.0, 0.0};
     for (int i = 0; i < cells_; ++i)
-      for (int k = 0; k < cells_; ++k)
-        if (component_[place(i, k)] == component) best = std::max(best, nearest(i, k, column, best));
+      for (int k = 0; k < cells_; ++k) {
+        if (component_[place(i, k)] != component) continue;
+        if (const double radius = nearest(i, k, column, best.radius); radius > best.radius)
+          best = {radius, x(i), y(k)};
+      }
     return best;
   }
 
@@ -126,6 +137,11 @@ class Grid {
   double step_y() const { return region_.width(1) / cells_; }
   double x(int i) const { return region_.lower[0] + (i + 0.5) * step_x(); }
   double y(int k) const { return region_.lower[1] + (k + 0.5) * step_y(); }
+
+  static bool is_in_workspace(const Manipulator& robot, double px, double py) {
+    const auto& box = robot.constraints().workspace;
+    return !box || (box->lower.x() < px && px < box->upper.x() && box->lower.y() < py && py < box->upper.y());
+  }
 
   int at(const std::vector<int>& steps, int i, int k) const {
     return i < 0 || k < 0 || i >= cells_ || k >= cells_ ? 0 : steps[place(i, k)];
@@ -268,16 +284,16 @@ TEST_F(FiveBarShapes, MirroredAspectsHaveEqualShapes) {
 
 TEST_F(FiveBarShapes, AHeldCenterIsKept) {
   WorkspaceQuestion question = question_of(RegularShape::disc);
-  question.center = {4.5, 8.0, std::nullopt};
+  question.center = {4.512345678901, 8.0, std::nullopt};
   int found = 0;
   for (const RegularWorkspace& each : largest(*map, question)) {
     if (each.lower <= 0.0) continue;
     ++found;
-    EXPECT_EQ(each.center[0], 4.5);
+    EXPECT_EQ(each.center[0], 4.512345678901) << "to the last digit";
     EXPECT_EQ(each.center[1], 8.0);
     EXPECT_TRUE(each.proved);
     const Aspect& aspect = map->aspects()[static_cast<std::size_t>(each.aspect - 1)];
-    EXPECT_EQ(map->locate(planar_pose(4.5, 8.0), aspect.mode).aspect, each.aspect);
+    EXPECT_EQ(map->locate(planar_pose(4.512345678901, 8.0), aspect.mode).aspect, each.aspect);
   }
   EXPECT_EQ(found, 4) << "one for each working mode";
 }
@@ -376,6 +392,46 @@ INSTANTIATE_TEST_SUITE_P(
                     SpatialSubject{"DeltaBox", test::delta, RegularShape::box, 0.06},
                     SpatialSubject{"PlanarDisc", test::three_prr, RegularShape::disc, 0.1}),
     [](const testing::TestParamInfo<SpatialSubject>& each) { return std::string(each.param.name); });
+
+Robot within(const Robot& robot, const WorkspaceBox& box) {
+  ManipulatorDescription description = robot->description();
+  description.constraints.workspace = box;
+  return std::make_shared<const Manipulator>(description);
+}
+
+/// Shapes about centers where a grid has the most room, of the aspect that the largest shape is said to be
+/// of.
+void expect_none_about_other_centers_is_larger(const Robot& robot) {
+  const auto map = compute_aspect_map(robot).map;
+  ASSERT_TRUE(map);
+  for (const RegularShape shape : {RegularShape::disc, RegularShape::square}) {
+    const WorkspaceQuestion question = question_of(shape);
+    for (const RegularWorkspace& each : largest(*map, question)) {
+      const Aspect& aspect = map->aspects()[static_cast<std::size_t>(each.aspect - 1)];
+      const Grid grid(robot, map->region(), aspect.mode, aspect.determinant_sign, 100);
+      const int component = grid.component_at(each.center[0], each.center[1]);
+      if (each.lower <= 0.0 || component < 0) continue;
+      const Grid::Disc disc = grid.roomiest(component);
+      WorkspaceQuestion about = question;
+      about.center = {disc.x, disc.y, std::nullopt};
+      const auto there = find_regular_workspaces(*map, {each.aspect}, about);
+      ASSERT_TRUE(there);
+      EXPECT_LE(there->front().lower, each.upper)
+          << robot->name() << ", aspect " << each.aspect << ", about " << disc.x << ' ' << disc.y;
+    }
+  }
+}
+
+// Also where the wall of the region, and nothing else, is nearest to the center.
+TEST(RegularWorkspace, NoneAboutAnotherCenterIsLarger) {
+  const int robots = test::is_sanitized ? 3 : 15;
+  for (int seed = 0; seed < robots; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_none_about_other_centers_is_larger(
+        test::bounded_robot(static_cast<unsigned>(seed), TaskSpace::T2, false));
+  }
+  expect_none_about_other_centers_is_larger(within(test::five_bar(), {{0.0, 1.0, 0.0}, {9.0, 9.0, 0.0}}));
+}
 
 TEST(RegularWorkspace, QuestionsThatDoNotFitAreRefused) {
   const auto problems = [](const Robot& robot, const WorkspaceQuestion& question) {
