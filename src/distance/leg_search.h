@@ -188,6 +188,7 @@ class LegSearch {
     nearest_ = queue_.empty() ? std::numeric_limits<double>::infinity() : queue_.first().bound;
   }
 
+  // Left out are cells in which no pose of the boundary is nearer than the target.
   void bound_and_push(SearchedCell cell) noexcept {
     ++result_.boxes;
     const double least = cell.least_length(), radius = target();

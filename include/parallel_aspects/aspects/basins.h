@@ -28,7 +28,7 @@ struct IndexRange {
 struct Basin {
   int aspect = 0;    ///< id
   Pose deepest;      ///< where the index is the lower end of `depth` or more
-  IndexRange depth;  ///< the largest index on any path from there that stays above the saddle
+  IndexRange depth;  ///< the largest index on any path from there that stays above `saddle.upper`
 
   /// Index, in the list, of the deeper basin that it is connected with first as the margin falls; none where
   /// the index is not proved to be higher in it than on the way to a deeper one.

@@ -68,7 +68,9 @@ std::vector<int> AspectLinks::smallest_open_cluster() {
   return smallest == no_node ? std::vector<int>() : members[smallest];
 }
 
-/// To the cluster that the best path from this one leads to.
+/// To the cluster that the best path from this one leads to. Cells come by falling level, which only falls
+/// along a path: where the first of another cluster comes, no path out of this one is better. One that ends
+/// without is left by none.
 void AspectLinks::link_once(const std::vector<int>& cluster) {
   constexpr auto little = IndexCells::Effort::little, more = IndexCells::Effort::more;
   const NodeIndex start = clusters_.find(as_node(cluster.front()));

@@ -51,7 +51,7 @@ class SignBasins {
     bound_pairs(cells, basins);
     if (detail == BasinDetail::depths) return {};
     cells.bound_all();
-    return basins_of(cells, merge(cells, edges_of(cells, PathBound::upper)), basins);
+    return basins_of(cells, listed(merge(cells, edges_of(cells, PathBound::upper)), cells), basins);
   }
 
  private:
@@ -94,6 +94,15 @@ class SignBasins {
       basins.bottlenecks[pairs_[i]] = {0.0,
                                        std::min({levels[i], basins.deepest[place_of(pairs[i].first)].upper,
                                                  basins.deepest[place_of(pairs[i].second)].upper})};
+  }
+
+  /// Halved cells may show a peak that belongs to no aspect of the map.
+  static std::vector<PeakMerge> listed(std::vector<PeakMerge> merges, const IndexCells& cells) {
+    const auto is_unlisted = [&cells](const PeakMerge& merge) {
+      return cells.aspect(merge.peak) == 0 || cells.aspect(merge.higher) == 0;
+    };
+    merges.erase(std::remove_if(merges.begin(), merges.end(), is_unlisted), merges.end());
+    return merges;
   }
 
   std::vector<Basin> basins_of(const IndexCells& cells, const std::vector<PeakMerge>& merges,

@@ -58,6 +58,7 @@ class BottleneckSearch {
 
   NodeIndex cell_at(const MapPosition& position) const { return *cells_.tree().leaf_at(position, 0); }
 
+  /// Cells come by falling level, so that the first way to one is a widest: others to it are left out.
   /// The largest least value along a path of cells; none where no path has a positive one, or there is none.
   template <class Value>
   std::optional<double> widest(const Value& value) const {

@@ -83,6 +83,8 @@ void DeepestIndex::take_in_bounds() {
   for (const auto& [id, bound] : upper) upper_[id] = std::min(upper_.at(id), bound);
 }
 
+/// Nodes come by falling bounds, and parts are bounded no higher than their wholes: what an owner has left
+/// when it is settled is bounded by the node that comes first then, and need not be opened.
 void DeepestIndex::search_once() {
   start();
   while (!queue_.empty() && evaluations_ < most_evaluations_ && !is_cancelled(control_)) {

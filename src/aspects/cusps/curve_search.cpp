@@ -42,7 +42,8 @@ class CurveSearch {
   }
 
  private:
-  /// False where the box is too small to be divided.
+  /// Left out are boxes that hold no cusp within limits, or those of a known arc alone; all others end among
+  /// the undecided ones. False where the box is too small to be divided.
   bool examine(const Box& box) {
     if (!family_.may_hold_cusp(box)) return true;
     const double width = bounds_.weights[longest_axis(box)] * box.width(longest_axis(box));

@@ -123,6 +123,7 @@ class CuspSearch {
  private:
   CuspTest test(const Box& box) const { return {slice_, posture_, box}; }
 
+  /// Left out are boxes that hold no cusp, or a known one alone; all others end among the undecided ones.
   /// False where the box is too small to be divided.
   bool examine(const Box& box) {
     if (known_.cover(box) || !test(box).may_hold_cusp()) return true;

@@ -107,6 +107,8 @@ class Exclusion {
     NodeIndex node;
   };
 
+  /// A path changes the sign of B_jj only at a pose that is in an undecided leaf of both modes: pairs without
+  /// are left out.
   void descend(NodeIndex node, Side here, Side there, std::size_t leg) {
     if (are_all_one() || is_cancelled(control_)) return;
     const bool here_divided = is_divided(here), there_divided = is_divided(there);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/index_at.h"
+#include "support/random_robots.h"
 #include "support/robots.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"
@@ -241,6 +242,19 @@ TEST(Basins, EndAtSerialSingularities) {
     EXPECT_GE(parallel_index(*robot, basin.deepest, solution.q), basin.depth.lower - 1e-9);
   }
   EXPECT_TRUE(found);
+}
+
+// Halved cells of this robot show a peak that belongs to no aspect of its map.
+TEST(Basins, BelongToAspectsOfTheMap) {
+  const auto map = compute_aspect_map(test::bounded_robot(9, TaskSpace::T2, true)).map;
+  ASSERT_TRUE(map);
+  const auto basins = find_basins(*map, ParallelIndex::normalised, BasinDetail::basins);
+  ASSERT_TRUE(basins);
+  EXPECT_FALSE(basins->basins.empty());
+  for (const Basin& basin : basins->basins) {
+    EXPECT_GE(basin.aspect, 1);
+    EXPECT_LE(basin.aspect, static_cast<int>(map->aspects().size()));
+  }
 }
 
 TEST_P(BasinsTest, NoPoseIsDeeperThanItsAspect) {
