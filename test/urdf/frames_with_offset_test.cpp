@@ -91,5 +91,32 @@ TEST(FrameWithOffset, IsRefusedWithEachProblem) {
                      "such link; did you mean 'rod_1'?"});
 }
 
+// Tolerances are shares of the robot, wherever the frame of its base is.
+TEST(BaseFrame, MayBeFarFromTheRobot) {
+  for (const char* name :
+       {"five_bar", "three_rrr", "three_rpr", "delta", "linear_delta", "agile_eye", "stewart"}) {
+    SCOPED_TRACE(name);
+    const auto plain = test::load(shipped_text(name));
+    const double size = plain->manipulator()->size();
+    Description far = shipped_text(name);
+    far.urdf = replaced(far.urdf, "</robot>",
+                        "<link name=\"far\"/>" +
+                            test::fixed_joint("far", "base_link",
+                                              "xyz=\"" + std::to_string(1000.0 * size) + " " +
+                                                  std::to_string(-700.0 * size) + " 0\"") +
+                            "</robot>");
+    far.config = replaced(far.config, "base_link: base_link", "base_link: far");
+    const auto given = test::load(far);
+    ASSERT_EQ(given->manipulator()->task_space(), plain->manipulator()->task_space());
+    EXPECT_NEAR(given->manipulator()->size(), size, 1e-9 * size);
+    for (std::size_t j = 0; j < plain->manipulator()->leg_count(); ++j) {
+      const Leg &leg = given->manipulator()->leg(j), &as_drawn = plain->manipulator()->leg(j);
+      EXPECT_NEAR(leg.rod_length, as_drawn.rod_length, 1e-9 * size);
+      EXPECT_NEAR((leg.anchor - as_drawn.anchor).norm(), 0.0, 1e-9 * size);
+    }
+    EXPECT_EQ(test::open_loops(*given, 0.05), 0);
+  }
+}
+
 }  // namespace
 }  // namespace parallel_aspects

@@ -46,12 +46,7 @@ class Layers {
     return frame;
   }
 
-  /// Of the joints and what they move.
-  double size() const {
-    double size = 0.0;
-    for (const std::size_t joint : joints_) size += tree_.joints[joint].origin.translation().norm();
-    return size;
-  }
+  double size() const { return mechanism_size(tree_, 0, poses_); }
 
  private:
   Vector3d origin(std::size_t end) const {

@@ -9,9 +9,6 @@ namespace {
 
 using Twists = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-constexpr double rounding = 1e-12;  // of sums of distances, as a share
-constexpr double one_point = 1e-5;  // [m] that CAD leaves between frames which are in one point
-
 constexpr std::array<std::pair<std::string_view, ClosureType>, 6> type_names{
     {{"point", ClosureType::point},
      {"revolute", ClosureType::revolute},
@@ -73,22 +70,6 @@ Eigen::Isometry3d placed(const Poses& poses, const LinkFrame& frame) {
   return poses[frame.link] * frame.in_link;
 }
 
-// The largest distance between two origins. Those far from the first come first, so that most pairs are known
-// to be nearer.
-double spread(const Poses& poses) {
-  std::vector<std::pair<double, Eigen::Vector3d>> origins;
-  for (const auto& pose : poses)
-    origins.emplace_back((pose.translation() - poses.front().translation()).norm(), pose.translation());
-  std::sort(origins.begin(), origins.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  double widest = 0.0;
-  for (std::size_t i = 0; i < origins.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k) {
-      if ((origins[i].first + origins[k].first) * (1.0 + rounding) < widest) break;
-      widest = std::max(widest, (origins[i].second - origins[k].second).norm());
-    }
-  return widest > one_point ? widest : 1.0;
-}
-
 std::vector<bool> above(const Tree& tree, std::size_t link) {
   std::vector<bool> result(static_cast<std::size_t>(tree.variables()), false);
   for (auto joint = tree.joint_above[link]; joint; joint = tree.joint_above[tree.joints[*joint].parent])
@@ -147,7 +128,11 @@ ClosureSystem::ClosureSystem(std::shared_ptr<const Tree> tree, std::size_t base,
       closures_(std::move(closures)),
       joints_(joints_above(*tree_, base_, closures_)) {
   const auto count = static_cast<std::size_t>(tree_->variables());
-  size_ = spread(link_poses(*tree_, base, Eigen::VectorXd::Zero(tree_->variables())));
+  const Poses poses = link_poses(*tree_, base, Eigen::VectorXd::Zero(tree_->variables()));
+  std::vector<Eigen::Vector3d> ends;
+  for (const Closure& closure : closures_)
+    for (const LinkFrame& frame : closure.frames) ends.push_back(placed(poses, frame).translation());
+  size_ = mechanism_size(*tree_, base, poses, std::move(ends));
   in_loop_.assign(count, false);
   for (const Closure& closure : closures_) {
     const std::vector<bool> one = above(*tree_, closure.frames[0].link);

@@ -69,7 +69,7 @@ class ClosureSystem {
   std::size_t base() const noexcept { return base_; }
   const std::vector<Closure>& closures() const noexcept { return closures_; }
 
-  /// Length that makes angles and lengths comparable: the widest spread of the link origins at zero [m].
+  /// Length that makes angles and lengths comparable: the `mechanism_size` at zero [m].
   double size() const noexcept { return size_; }
 
   /// What each closure lacks [m]; angles are multiplied by `size()`.

@@ -3,15 +3,42 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
+
+constexpr double rounding = 1e-12;  // of sums of distances, as a share
+constexpr double one_point = 1e-5;  // [m] that CAD leaves between frames which are in one point
 
 Eigen::Isometry3d motion_of(const TreeJoint& joint, double value) {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   if (joint.motion == JointMotion::revolute) motion.linear() = Eigen::AngleAxisd(value, joint.axis).matrix();
   if (joint.motion == JointMotion::prismatic) motion.translation() = value * joint.axis;
   return motion;
+}
+
+// Links by the first of those that fixed joints hold together, the root first.
+std::vector<std::size_t> rigid_bodies(const Tree& tree) {
+  std::vector<std::size_t> bodies(tree.links.size(), 0);
+  for (const TreeJoint& joint : tree.joints)
+    bodies[joint.child] = joint.variable ? joint.child : bodies[joint.parent];
+  return bodies;
+}
+
+// The largest distance between two points. Those far from the first come first, so that most pairs are known
+// to be nearer.
+double spread(const std::vector<Eigen::Vector3d>& points) {
+  std::vector<std::pair<double, Eigen::Vector3d>> far;
+  for (const auto& point : points) far.emplace_back((point - points.front()).norm(), point);
+  std::sort(far.begin(), far.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  double widest = 0.0;
+  for (std::size_t i = 0; i < far.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      if ((far[i].first + far[k].first) * (1.0 + rounding) < widest) break;
+      widest = std::max(widest, (far[i].second - far[k].second).norm());
+    }
+  return widest;
 }
 
 }  // namespace
@@ -53,6 +80,15 @@ Poses link_poses(const Tree& tree, std::size_t base, const Eigen::VectorXd& valu
     pose = to_base * pose;
   }
   return poses;
+}
+
+double mechanism_size(const Tree& tree, std::size_t base, const Poses& poses,
+                      std::vector<Eigen::Vector3d> points) {
+  const std::vector<std::size_t> bodies = rigid_bodies(tree);
+  for (std::size_t link = 0; link < poses.size(); ++link)
+    if (bodies[link] != bodies[base]) points.push_back(poses[link].translation());
+  const double size = spread(points);
+  return size > one_point ? size : 1.0;
 }
 
 bool has_child(const Tree& tree, std::size_t link) {

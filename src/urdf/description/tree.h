@@ -60,6 +60,12 @@ Poses link_poses(const Tree& tree, std::size_t base, const Eigen::VectorXd& valu
 Poses link_poses(const Tree& tree, std::size_t base, const Eigen::VectorXd& values,
                  const std::vector<std::size_t>& joints);
 
+/// What tolerances of lengths are shares of [m]: the widest distance between the origins of links that
+/// movable joints move against the base, and these points of the robot. Where the base has its own origin
+/// does not matter. 1 where all are in one point.
+double mechanism_size(const Tree& tree, std::size_t base, const Poses& poses,
+                      std::vector<Eigen::Vector3d> points = {});
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_DESCRIPTION_TREE_H

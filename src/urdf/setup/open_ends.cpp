@@ -29,9 +29,7 @@ class EndFinder {
   EndFinder(const Tree& tree, const Bodies& bodies, const std::vector<bool>& left_open)
       : tree_(tree), bodies_(bodies), left_open_(left_open) {
     poses_ = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
-    for (const auto& one : poses_)
-      size_ = std::max(size_, (one.translation() - poses_.front().translation()).norm());
-    if (size_ == 0.0) size_ = 1.0;
+    size_ = mechanism_size(tree, 0, poses_);
     normal_ = common_normal(tree, poses_, tree.movable);
     collect();
     is_wrist_ = std::any_of(result_.links.begin(), result_.links.end(),
@@ -359,7 +357,7 @@ class EndFinder {
   const Bodies& bodies_;
   const std::vector<bool>& left_open_;  // by link
   Poses poses_;
-  double size_ = 0.0;                      // [m]
+  double size_ = 1.0;                      // [m]
   bool is_wrist_ = false;                  // whether all chains have an end in one place
   std::optional<Eigen::Vector3d> normal_;  // of the planes of a planar robot
   std::vector<Body> terminal_, ended_;
