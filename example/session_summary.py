@@ -15,7 +15,8 @@ import rospy
 from parallel_aspects.msg import AspectState, AspectTransition, Status
 
 DISTANCES = ("parallel_distance", "serial_distance", "limit_distance")
-LEVELS = {AspectState.CLEAR: "clear", AspectState.WARN: "warn", AspectState.STOP: "stop", AspectState.UNKNOWN: "unknown"}
+LEVELS = {AspectState.CLEAR: "clear", AspectState.WARN: "warn", AspectState.STOP: "stop", AspectState.UNKNOWN: "unknown",
+          AspectState.NO_THRESHOLD: "with no threshold"}
 
 
 class Summary:

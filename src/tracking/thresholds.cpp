@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/tracking/thresholds.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace parallel_aspects {
 namespace {
+
+bool has_any(const ThresholdOptions& options) { return options.warn != 0.0 || options.stop != 0.0; }
 
 // A level is entered below its threshold, and left above that by the hysteresis.
 bool inside(double distance, double threshold, double hysteresis, bool was_inside) {
@@ -13,7 +16,7 @@ bool inside(double distance, double threshold, double hysteresis, bool was_insid
 }
 
 ThresholdLevel next_level(const ThresholdOptions& options, double distance, ThresholdLevel before) {
-  if (options.warn == 0.0 && options.stop == 0.0) return ThresholdLevel::clear;
+  if (!has_any(options)) return ThresholdLevel::clear;
   if (std::isnan(distance)) return ThresholdLevel::unknown;
   const bool stopped = before == ThresholdLevel::stop;
   if (inside(distance, options.stop, options.hysteresis, stopped)) return ThresholdLevel::stop;
@@ -46,6 +49,8 @@ const char* name(ThresholdLevel level) noexcept {
       return "clear";
     case ThresholdLevel::warn:
       return "warn";
+    case ThresholdLevel::unset:
+      return "no threshold";
     case ThresholdLevel::stop:
       break;
   }
@@ -69,8 +74,13 @@ std::vector<std::string> problems_of(const ThresholdOptions& options) {
   return problems;
 }
 
+bool is_set(const DistanceThresholds::Options& options) noexcept {
+  return std::any_of(options.begin(), options.end(), has_any);
+}
+
 void DistanceThresholds::set_options(const Options& options) noexcept {
   options_ = options;
+  is_set_ = is_set(options);
   known_.fill(ThresholdLevel::clear);
   lose();
 }
@@ -89,7 +99,7 @@ const ThresholdState& DistanceThresholds::update(const Distances& distances) noe
         (levels_[i] == levels_[worst] && nearer(distances[i], distances[worst])))
       worst = i;
   }
-  const ThresholdLevel level = levels_[worst];
+  const ThresholdLevel level = is_set_ ? levels_[worst] : ThresholdLevel::unset;
   const double threshold = level == ThresholdLevel::stop   ? options_[worst].stop
                            : level == ThresholdLevel::warn ? options_[worst].warn
                                                            : 0.0;

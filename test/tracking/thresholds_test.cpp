@@ -125,6 +125,26 @@ TEST(HazardMemory, HasNothingToTellBeforeADistanceWasProved) {
   EXPECT_FALSE(memory.reported());
 }
 
+// Nothing says what is near, so that nothing is clear; one threshold of one hazard is enough.
+TEST(DistanceThresholds, WithoutAnyThereIsNoLevel) {
+  DistanceThresholds tested;
+  EXPECT_FALSE(is_set(DistanceThresholds::Options{}));
+  const ThresholdState near = tested.update({0.3, 1e-3, far});
+  EXPECT_EQ(near.level, ThresholdLevel::unset);
+  EXPECT_GE(near.level, ThresholdLevel::stop);
+  EXPECT_EQ(near.hazard, Hazard::serial_singularity);
+  EXPECT_EQ(near.distance, 1e-3);
+  EXPECT_EQ(tested.update({unknown, unknown, unknown}).level, ThresholdLevel::unset);
+  EXPECT_EQ(tested.lose().level, ThresholdLevel::unknown);
+  for (std::size_t i = 0; i < hazard_count; ++i) {
+    DistanceThresholds::Options one;
+    one[i].warn = 0.1;
+    EXPECT_TRUE(is_set(one));
+    tested.set_options(one);
+    EXPECT_EQ(tested.update({far, far, far}).level, ThresholdLevel::clear);
+  }
+}
+
 TEST(DistanceThresholds, RefuseWhatMakesNoSense) {
   EXPECT_TRUE(problems_of(ThresholdOptions{0.1, 0.05, 0.1}).empty());
   EXPECT_TRUE(problems_of(ThresholdOptions{0.0, 0.05, 0.0}).empty());

@@ -21,15 +21,17 @@ inline constexpr std::size_t hazard_count = 3;
 const char* name(Hazard hazard) noexcept;
 
 /// By danger: of two levels the greater is the worse, so that `level >= stop` holds wherever a robot must
-/// stop. The numbers are those of AspectState; 0 is no level.
+/// stop. Where no threshold is set there is nothing to compare with: that is not clear. The numbers are those
+/// of AspectState; 0 is no level.
 enum class ThresholdLevel : std::uint8_t {
   clear = 1,    ///< above all thresholds
   warn = 2,     ///< below the first
   stop = 3,     ///< below the second: the robot must stop
   unknown = 4,  ///< a distance that has a threshold is not known
+  unset = 5,    ///< no hazard has a threshold
 };
 
-/// "unknown", "clear", "warn" or "stop".
+/// "unknown", "clear", "warn", "stop" or "no threshold".
 const char* name(ThresholdLevel level) noexcept;
 
 /// Thresholds on distances to hazards, all in the unit of the distances that they are compared with [m].
@@ -47,8 +49,8 @@ std::vector<std::string> problems_of(const ThresholdOptions& options);
 /// What the thresholds make of the last distances.
 struct ThresholdState {
   ThresholdLevel level = ThresholdLevel::unknown;  ///< the worst of all hazards
-  Hazard hazard =
-      Hazard::parallel_singularity;  ///< that the level is due to: the nearest of those that have it
+  Hazard hazard = Hazard::parallel_singularity;  ///< that the level is due to: the nearest of those that have
+                                                 ///< it, of all where no threshold is set
   double distance =
       std::numeric_limits<double>::quiet_NaN();  ///< to that hazard; not a number while unknown [m]
   double threshold = 0.0;  ///< below which the level was taken; valid for warn and stop [m]
@@ -56,8 +58,8 @@ struct ThresholdState {
 };
 
 /// Compares lower bounds of the distances to the nearest hazards with thresholds, each hazard with its own.
-/// The level of the whole is the worst, so that an unknown distance is never taken for a known one. Never
-/// allocates, never throws.
+/// The level of the whole is the worst, so that an unknown distance is never taken for a known one; `unset`
+/// where no hazard has a threshold. Never allocates, never throws.
 class DistanceThresholds {
  public:
   using Options = std::array<ThresholdOptions, hazard_count>;  ///< by `Hazard`
@@ -69,7 +71,7 @@ class DistanceThresholds {
   /// Levels are taken anew from the next distances.
   void set_options(const Options& options) noexcept;
 
-  /// The next distances. A hazard with no threshold of its own is always clear.
+  /// The next distances. Beside others that have one, a hazard with no threshold of its own is always clear.
   const ThresholdState& update(const Distances& distances) noexcept;
 
   /// Nothing is known of the robot. Once distances are known again, the hysteresis goes on where it was.
@@ -83,10 +85,14 @@ class DistanceThresholds {
 
  private:
   Options options_;
+  bool is_set_ = false;  // a threshold of any hazard
   std::array<ThresholdLevel, hazard_count> levels_;
   std::array<ThresholdLevel, hazard_count> known_;  // the last that were known, for the hysteresis
   ThresholdState state_;
 };
+
+/// Whether any hazard has a threshold.
+bool is_set(const DistanceThresholds::Options& options) noexcept;
 
 }  // namespace parallel_aspects
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/messages/hazard_messages.h"
 
+#include "model/number_text.h"
 #include "ros/messages/not_a_number.h"
 
 #include <parallel_aspects/AspectState.h>
@@ -16,6 +17,9 @@ static_assert(static_cast<std::uint8_t>(ThresholdLevel::clear) == AspectState::C
 static_assert(static_cast<std::uint8_t>(ThresholdLevel::warn) == AspectState::WARN);
 static_assert(static_cast<std::uint8_t>(ThresholdLevel::stop) == AspectState::STOP);
 static_assert(static_cast<std::uint8_t>(ThresholdLevel::unknown) == AspectState::UNKNOWN);
+static_assert(static_cast<std::uint8_t>(ThresholdLevel::unset) == AspectState::NO_THRESHOLD);
+
+const std::string no_threshold = "no threshold is set";
 
 std::uint8_t kind_of(const std::optional<ProvedHazard>& last) {
   if (!last) return LastHazard::NONE;
@@ -37,17 +41,22 @@ const char* motion_of(double speed) {
 
 }  // namespace
 
+ThresholdLevel level_of(const ThresholdState& state, const UniquenessState& uniqueness) noexcept {
+  return state.level == ThresholdLevel::clear && uniqueness.warns ? ThresholdLevel::warn : state.level;
+}
+
 std::uint8_t level_message(ThresholdLevel level) noexcept { return static_cast<std::uint8_t>(level); }
 
 std::string reason_of(const ThresholdState& state) {
   if (state.level == ThresholdLevel::clear) return {};
   if (state.level == ThresholdLevel::unknown)
     return std::string("the distance to the nearest ") + name(state.hazard) + " is not known";
-  char text[160];
-  std::snprintf(text, sizeof text, "%s: the nearest %s may be %.4g m away; the threshold is %.4g m%s",
-                name(state.level), name(state.hazard), state.distance, state.threshold,
-                state.held ? ", held until left by the hysteresis" : "");
-  return text;
+  const std::string nearest = std::string("the nearest ") + name(state.hazard) + " may be " +
+                              number_text(state.distance, 4) + " m away";
+  if (state.level == ThresholdLevel::unset)
+    return no_threshold + (std::isfinite(state.distance) ? ": " + nearest : "");
+  return name(state.level) + (": " + nearest) + "; the threshold is " + number_text(state.threshold, 4) +
+         " m" + (state.held ? ", held until left by the hysteresis" : "");
 }
 
 std::string reason_of(const std::optional<ProvedHazard>& last) {

@@ -9,6 +9,7 @@
 
 #include <parallel_aspects/DistanceBounds.h>
 #include <parallel_aspects/LastHazard.h>
+#include <parallel_aspects/UniquenessState.h>
 
 #include <ros/time.h>
 
@@ -17,6 +18,9 @@
 #include <string>
 
 namespace parallel_aspects {
+
+/// The level of a state: that of its thresholds, and WARN where they are clear but `uniqueness` warns.
+ThresholdLevel level_of(const ThresholdState& state, const UniquenessState& uniqueness) noexcept;
 
 /// One of the constants of AspectState.
 std::uint8_t level_message(ThresholdLevel level) noexcept;

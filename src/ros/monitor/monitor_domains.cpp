@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // How the monitor follows in which uniqueness domains the robot is, from where tracking began.
+#include "ros/messages/hazard_messages.h"
 #include "ros/monitor/robot_monitor.h"
 
 namespace parallel_aspects {
@@ -27,9 +28,11 @@ void RobotMonitor::note_start(bool stated) {
 
 void RobotMonitor::fill_domains(AspectState& state) const {
   state.uniqueness = uniqueness_;
-  if (!uniqueness_.warns || state.level != AspectState::CLEAR) return;
-  state.level = AspectState::WARN;
-  state.reason = warning_of(uniqueness_);
+  const ThresholdState& threshold = hazards_.findings().threshold;
+  const bool near = threshold.level != ThresholdLevel::clear && threshold.level != ThresholdLevel::unset;
+  if (!uniqueness_.warns || near) return;
+  state.level = level_message(level_of(threshold, uniqueness_));
+  state.reason += (state.reason.empty() ? "" : "; ") + warning_of(uniqueness_);
 }
 
 // Without the lock while it looks. What was found of a start that is no longer the last is dropped.

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/diagnostics.h"
 
+#include "ros/messages/hazard_messages.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -11,6 +14,21 @@ namespace {
 using Level = diagnostic_msgs::DiagnosticStatus;
 
 std::string region_text(std::uint32_t number) { return number == 0 ? "unknown" : std::to_string(number); }
+
+void merge_threshold(const ThresholdState& state, diagnostic_updater::DiagnosticStatusWrapper& status) {
+  switch (state.level) {
+    case ThresholdLevel::clear:
+      return;
+    case ThresholdLevel::warn:
+      return status.mergeSummary(Level::WARN, "near a boundary");
+    case ThresholdLevel::stop:
+      return status.mergeSummary(Level::ERROR, "too near a boundary");
+    case ThresholdLevel::unknown:
+      return status.mergeSummary(Level::ERROR, "a distance that has a threshold is not known");
+    case ThresholdLevel::unset:
+      return status.mergeSummary(Level::WARN, "no threshold is set");
+  }
+}
 
 std::string age_text(const ros::Time& stamp, const ros::Time& now) {
   return stamp.isZero() ? "no sample yet" : std::to_string(now.toSec() - stamp.toSec());
@@ -52,6 +70,11 @@ Diagnostics::Snapshot Diagnostics::take() const {
   return {ros::WallTime::now(), monitor_.counts(), outputs_.load(std::memory_order_relaxed)};
 }
 
+void Diagnostics::offer(std::string thresholds) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  offer_ = std::move(thresholds);
+}
+
 void Diagnostics::publish() {
   before_ = now_;
   now_ = take();
@@ -64,15 +87,15 @@ void Diagnostics::report_tracking(Wrapper& status) const {
   const bool well = current.status.code == Status::OK;
   const MonitorFindings findings = monitor_.findings();
   status.summary(diagnostic_level(current.status), well ? "tracking" : current.status.message);
-  if (well && findings.threshold.level == ThresholdLevel::warn)
-    status.mergeSummary(Level::WARN, "near a boundary");
-  if (well && findings.threshold.level == ThresholdLevel::stop)
-    status.mergeSummary(Level::ERROR, "too near a boundary");
-  if (well && findings.threshold.level == ThresholdLevel::unknown)
-    status.mergeSummary(Level::ERROR, "a distance that has a threshold is not known");
   const UniquenessState uniqueness = monitor_.uniqueness();
+  if (well) merge_threshold(findings.threshold, status);
   if (well && uniqueness.warns)
     status.mergeSummary(Level::WARN, "the actuated joints alone do not tell the pose");
+  status.add("level", well ? name(level_of(findings.threshold, uniqueness)) : name(ThresholdLevel::unknown));
+  if (well && findings.threshold.level == ThresholdLevel::unset) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    status.add("thresholds", offer_);
+  }
   for (std::size_t i = 0; i < hazard_count; ++i)
     status.add(std::string("proved distance to the nearest ") + name(static_cast<Hazard>(i)) + " [m]",
                well ? std::to_string(findings.distances[i].lower) : "unknown");

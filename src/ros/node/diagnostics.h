@@ -11,6 +11,8 @@
 #include <atomic>
 #include <cstdint>
 #include <diagnostic_updater/diagnostic_updater.h>
+#include <mutex>
+#include <string>
 
 namespace parallel_aspects {
 
@@ -29,6 +31,9 @@ class Diagnostics {
 
   /// A state was published. From any thread.
   void count_output() noexcept { outputs_.fetch_add(1, std::memory_order_relaxed); }
+
+  /// What to say while no threshold is set. From any thread.
+  void offer(std::string thresholds);
 
   void publish();
 
@@ -52,6 +57,8 @@ class Diagnostics {
   const MapWorker& worker_;
   const FrameWatch& frames_;
   std::atomic<std::uint64_t> outputs_{0};
+  mutable std::mutex mutex_;
+  std::string offer_;  // of thresholds; empty until it is known
   Snapshot before_, now_;
   diagnostic_updater::Updater updater_;
 };

@@ -3,6 +3,7 @@
 
 #include "ros/messages/hazard_messages.h"
 #include "ros/messages/tables.h"
+#include "ros/monitor/threshold_offer.h"
 
 #include <ros/console.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
@@ -299,6 +300,9 @@ void RobotServer::report_stand_off() {
   const std::string warning = warning_of(estimate, setup_.options.thresholds.parallel_stop);
   if (estimate.poses > 0) ROS_INFO_STREAM(message_of(estimate));
   if (!warning.empty()) ROS_WARN_STREAM(warning);
+  const std::string offer = threshold_offer(*setup_.mechanism, estimate);
+  diagnostics_.offer(offer);
+  if (!is_set(thresholds_of(setup_.options.thresholds))) ROS_WARN_STREAM(offer);
 }
 
 void RobotServer::report_silence() {

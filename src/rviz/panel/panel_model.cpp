@@ -66,18 +66,19 @@ Tone tone_of(std::uint8_t level) {
   }
 }
 
-const char* title_of(Tone tone) {
-  switch (tone) {
-    case Tone::clear:
+const char* title_of_level(std::uint8_t level) {
+  switch (level) {
+    case AspectState::CLEAR:
       return "CLEAR";
-    case Tone::warn:
+    case AspectState::WARN:
       return "WARN";
-    case Tone::stop:
+    case AspectState::STOP:
       return "STOP";
-    case Tone::unknown:
-      break;
+    case AspectState::NO_THRESHOLD:
+      return "NO THRESHOLD";
+    default:
+      return "UNKNOWN";
   }
-  return "UNKNOWN";
 }
 
 std::string place_of(const AspectState& state) {
@@ -86,8 +87,7 @@ std::string place_of(const AspectState& state) {
 }
 
 Banner banner_of_followed(const AspectState& state) {
-  const Tone tone = tone_of(state.level);
-  Banner banner{tone, title_of(tone), place_of(state)};
+  Banner banner{tone_of(state.level), title_of_level(state.level), place_of(state)};
   for (const std::string& more : {state.reason, state.status.message})
     if (!more.empty()) banner.text += "\n" + more;
   return banner;
@@ -155,6 +155,8 @@ std::string text_of(const DistanceBounds& bounds) {
   return metres(bounds.lower) + motion_of(bounds.speed);
 }
 
+bool is_set(const LevelThresholds& thresholds) { return thresholds.warn > 0.0 || thresholds.stop > 0.0; }
+
 std::string tip_of(const DistanceBounds& bounds, const LevelThresholds& thresholds) {
   if (std::isnan(bounds.lower)) return "Not measured yet.";
   std::string tip = std::isinf(bounds.lower) ? "Proved: there is none in this working mode."
@@ -162,11 +164,13 @@ std::string tip_of(const DistanceBounds& bounds, const LevelThresholds& threshol
   if (std::isfinite(bounds.upper)) tip += " One was found at " + metres(bounds.upper) + ".";
   if (thresholds.warn > 0.0) tip += " WARN below " + metres(thresholds.warn) + ".";
   if (thresholds.stop > 0.0) tip += " STOP below " + metres(thresholds.stop) + ".";
+  if (!is_set(thresholds)) tip += " No threshold is set.";
   return tip;
 }
 
 Tone tone_of(const DistanceBounds& bounds, const LevelThresholds& thresholds) {
   if (std::isnan(bounds.lower)) return Tone::unknown;
+  if (!is_set(thresholds) && std::isfinite(bounds.lower)) return Tone::unknown;  // nothing says what is near
   if (bounds.lower <= thresholds.stop && thresholds.stop > 0.0) return Tone::stop;
   if (bounds.lower <= thresholds.warn && thresholds.warn > 0.0) return Tone::warn;
   return Tone::clear;

@@ -3,8 +3,10 @@
 // Distances, levels and hazards in the state.
 #include "ros/monitor/decimation.h"
 #include "ros/monitor/robot_monitor_fixture.h"
+#include "ros/monitor/threshold_offer.h"
 
 #include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +30,12 @@ TEST_F(HazardState, DistancesAreBoundedAndJudged) {
   EXPECT_TRUE(std::isnan(first.state->parallel_distance.lower)) << "not measured yet";
   unlimited.work();
   const AspectState here = *unlimited.update(joint_values(4.5, 8.0, {1, -1}, 1.01), at(1.01)).state;
-  EXPECT_EQ(here.level, AspectState::CLEAR);
+  EXPECT_EQ(here.level, AspectState::NO_THRESHOLD) << "however far the nearest one is";
+  EXPECT_GE(here.level, AspectState::STOP);
+  EXPECT_EQ(here.reason.find("no threshold is set: the nearest parallel singularity may be "), 0U)
+      << here.reason;
+  EXPECT_EQ(first.state->reason, "no threshold is set") << "nor any distance known";
+  EXPECT_FALSE(here.escape_twist.empty());
   ASSERT_GT(here.parallel_distance.lower, 0.0);
   EXPECT_GE(here.parallel_distance.upper, here.parallel_distance.lower);
   EXPECT_TRUE(std::isnan(first.state->stand_off)) << "not measured yet";
@@ -154,6 +161,32 @@ TEST(StandOffWarning, IsGivenWhereAThresholdLiesInside) {
   EXPECT_EQ(warning_of(estimate, 0.2), "");
   EXPECT_EQ(warning_of(estimate, 0.0), "") << "there is no threshold";
   EXPECT_NE(warning_of(estimate, 0.1).find("parallel_stop"), std::string::npos);
+}
+
+// What is offered can be used as it is, and noise of the encoders does not hide the assembly mode there.
+TEST(ThresholdOffer, CanBePasted) {
+  for (const char* name : {"five_bar", "delta", "three_rrr", "stewart", "spherical_3rrr"}) {
+    const auto mechanism = test::shipped(name);
+    StandOffEstimate estimate;
+    for (const double largest : {0.0, 0.0123, 0.1 * mechanism->manipulator()->size()}) {
+      estimate.largest = largest;
+      estimate.poses = 1;
+      const std::string offer = threshold_offer(*mechanism, estimate);
+      const std::size_t begin = offer.find("thresholds: {"), end = offer.find('}', begin);
+      ASSERT_NE(end, std::string::npos) << offer;
+      const YAML::Node given = YAML::Load(offer.substr(begin, end + 1 - begin))["thresholds"];
+      ThresholdParameters parameters;
+      parameters.parallel_stop = given["parallel_stop"].as<double>();
+      parameters.serial_stop = given["serial_stop"].as<double>();
+      parameters.limit_stop = given["limit_stop"].as<double>();
+      EXPECT_EQ(given.size(), 3U);
+      EXPECT_TRUE(problems_of(parameters, "thresholds/").empty()) << offer;
+      EXPECT_EQ(warning_of(estimate, parameters.parallel_stop), "") << offer;
+      EXPECT_GT(parameters.serial_stop, 0.0);
+      EXPECT_LT(parameters.serial_stop, 0.05 * mechanism->manipulator()->size()) << offer;
+      EXPECT_NE(offer.find("velocity limits allow up to "), std::string::npos) << offer;
+    }
+  }
 }
 
 // A level that comes between two samples that are published is published too.

@@ -53,6 +53,7 @@ class UniquenessStateTest : public testing::Test {
     options.tracking.samples.check_velocity = false;
     options.tracking.samples.interval_ratio = 1e9;
     options.uniqueness.hold = 0.1;
+    options.thresholds.parallel_stop = near_;
     return options;
   }
 
@@ -92,6 +93,7 @@ class UniquenessStateTest : public testing::Test {
     return found;
   }
 
+  static constexpr double near_ = 1e-6;  // to a parallel singularity; it is not met on the way [m]
   const std::shared_ptr<const Mechanism> mechanism_ = test::shipped("three_rpr");
   const std::shared_ptr<const Manipulator> robot_ = mechanism_->mapped_manipulator();
   const MapSlice slice_ = test::slice_of(robot_, {{robot_->leg(0).actuated_joint, 14.98}});
@@ -124,6 +126,12 @@ TEST_F(UniquenessStateTest, WarnsAroundACuspAndNotBackAtTheStart) {
   EXPECT_NE(there.uniqueness.basic_region, reference);
   EXPECT_EQ(there.level, AspectState::WARN);
   EXPECT_NE(there.reason.find("uniqueness domain"), std::string::npos) << there.reason;
+  monitor_.set_thresholds({});
+  const AspectState unset = rest();
+  EXPECT_EQ(unset.level, AspectState::NO_THRESHOLD) << "no warning makes that a level to go on at";
+  for (const char* words : {"no threshold is set", "uniqueness domain"})
+    EXPECT_NE(unset.reason.find(words), std::string::npos) << unset.reason;
+  monitor_.set_thresholds(thresholds_of(options().thresholds));
   const auto begun = told(AspectTransition::UNIQUENESS);
   ASSERT_EQ(begun.size(), 1U);
   EXPECT_FALSE(begun[0].domain_shared);

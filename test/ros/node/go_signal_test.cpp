@@ -21,6 +21,7 @@ class GoSignal : public NodeLife {
  protected:
   void SetUp() override {
     NodeLife::SetUp();
+    set("thresholds/parallel_stop", threshold());
     start();
     ros::param::set(space_ + "/go_signal/silence", 1.0);
     const char* before = std::getenv("PYTHONPATH");
@@ -31,6 +32,7 @@ class GoSignal : public NodeLife {
         std::vector<std::string>{"__name:=go_signal", "state:=" + node_ + "/state"});
   }
   void TearDown() override {}
+  virtual double threshold() const { return 0.1; }
 
   bool becomes(bool go) {
     return eventually([&] {
@@ -61,6 +63,16 @@ TEST_F(GoSignal, IsOffWhereTheNodeIsHaltedOrKilled) {
   EXPECT_TRUE(becomes(false));
   EXPECT_TRUE(stays_off(10));
   EXPECT_FALSE(consumer_->has_ended());
+}
+
+class GoSignalWithoutThresholds : public GoSignal {
+  double threshold() const override { return 0.0; }
+};
+
+// The state is known, but nobody has said what is too near.
+TEST_F(GoSignalWithoutThresholds, IsOff) {
+  ASSERT_TRUE(eventually([&] { return move_to(start_).level == AspectState::NO_THRESHOLD; }));
+  EXPECT_TRUE(stays_off(10));
 }
 
 }  // namespace

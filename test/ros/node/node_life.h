@@ -15,6 +15,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,13 +72,24 @@ class NodeLife : public testing::Test {
   }
   // What /diagnostics says of this part of this node, once it says that.
   bool diagnosed(const std::string& part, int level) const {
+    const auto status = diagnosis(part);
+    return status && status->level == level;
+  }
+  // A value of the part "tracking"; empty where there is none.
+  std::string diagnosed_value(const std::string& key) const {
+    if (const auto status = diagnosis("tracking"))
+      for (const auto& value : status->values)
+        if (value.key == key) return value.value;
+    return {};
+  }
+  std::optional<diagnostic_msgs::DiagnosticStatus> diagnosis(const std::string& part) const {
     const auto messages = diagnostics_.all();
     for (auto array = messages.rbegin(); array != messages.rend(); ++array)
       for (const auto& status : array->status)
         if (status.name.find(space_.substr(1)) != std::string::npos &&
             status.name.find(": " + part) != std::string::npos)
-          return status.level == level;
-    return false;
+          return status;
+    return std::nullopt;
   }
 
   const std::shared_ptr<const Mechanism> robot_ = test::five_bar_mechanism();

@@ -218,7 +218,13 @@ TEST_F(NodeLife, ThresholdsChangeWhileItRuns) {
   start();
   double y = 8.0;
   const auto level = [&] { return move_to(test::pose_at(4.5, y += 1e-6)).level; };
-  ASSERT_TRUE(eventually([&] { return level() == AspectState::CLEAR; }));
+  ASSERT_TRUE(eventually([&] { return level() == AspectState::NO_THRESHOLD; }));
+  EXPECT_TRUE(eventually([&] {
+    level();
+    return diagnosed("tracking", diagnostic_msgs::DiagnosticStatus::WARN) &&
+           diagnosed_value("level") == "no threshold" &&
+           diagnosed_value("thresholds").find("parallel_stop: ") != std::string::npos;
+  }));
   const auto change = [&](double warn, double stop) {
     dynamic_reconfigure::Reconfigure service;
     for (const auto& [name, value] :
@@ -240,7 +246,8 @@ TEST_F(NodeLife, ThresholdsChangeWhileItRuns) {
   EXPECT_NE(states_->last()->reason.find("parallel"), std::string::npos);
   EXPECT_TRUE(eventually([&] {
     level();
-    return diagnosed("tracking", diagnostic_msgs::DiagnosticStatus::WARN);
+    return diagnosed("tracking", diagnostic_msgs::DiagnosticStatus::WARN) &&
+           diagnosed_value("level") == "warn";
   }));
   EXPECT_EQ(change(std::nan(""), 0.0), 100.0) << "not a number";
   EXPECT_EQ(change(50.0, 60.0), 100.0) << "a stop before the warning";
@@ -371,6 +378,7 @@ TEST_F(NodeLife, ANodeThatStoodStillBlamesNoClock) {
 
 TEST_F(NodeLife, TellsRatesAndLossesInDiagnostics) {
   using Level = diagnostic_msgs::DiagnosticStatus;
+  set("thresholds/parallel_stop", 0.1);
   start();
   EXPECT_TRUE(eventually(
       [&] { return diagnosed("tracking", Level::WARN) && diagnosed("joint_states", Level::WARN); }));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a node says at its start of a threshold that lies inside the stand-off.
+// What a node says at its start of a threshold that lies inside the stand-off, and where none is set.
 #include "ros/monitor/five_bar_setup.h"
 #include "ros/node/node_client.h"
 #include "ros/node/process.h"
@@ -17,6 +17,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr const char* stand_off = "the assembly mode can be determined as near as";
+constexpr const char* offer = "No threshold is set; for example thresholds: {parallel_stop: ";
 constexpr const char* warning = "the level may become UNKNOWN before it is STOP";
 
 // Lines of information are not flushed one by one into a file unless stdbuf sees to it.
@@ -52,7 +53,12 @@ TEST(StandOffWarning, IsSaidWhereAThresholdLiesInside) {
 
 TEST(StandOffWarning, IsNotSaidOtherwise) {
   EXPECT_EQ(said_with("/outside", 5.0, stand_off).find(warning), std::string::npos);
-  EXPECT_EQ(said_with("/none", 0.0, stand_off).find(warning), std::string::npos);
+}
+
+TEST(StandOffWarning, WithoutAThresholdSomeAreOffered) {
+  const std::string said = said_with("/none", 0.0, offer);
+  EXPECT_EQ(said.find(warning), std::string::npos) << said;
+  EXPECT_EQ(said_with("/some", 5.0, stand_off).find(offer), std::string::npos);
 }
 
 }  // namespace

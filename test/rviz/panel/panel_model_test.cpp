@@ -90,6 +90,11 @@ TEST(PanelModel, NamesLevelPlaceAndReason) {
   EXPECT_EQ(banner_of(view).title, "WARN");
   view.state->aspect = 0;
   expect_words(banner_of(view).text, {"Aspect not known"});
+  view.state->level = AspectState::NO_THRESHOLD;
+  view.state->reason = "no threshold is set";
+  EXPECT_EQ(banner_of(view).tone, Tone::unknown);
+  EXPECT_EQ(banner_of(view).title, "NO THRESHOLD");
+  expect_words(banner_of(view).text, {"no threshold is set"});
   view.state->level = 0;  // a message that nobody has filled
   EXPECT_EQ(banner_of(view).tone, Tone::unknown);
 }
@@ -155,7 +160,11 @@ TEST(PanelModel, DrawsDistancesOnOneScale) {
   EXPECT_EQ(gauges[1].text, "0.5 m");
   EXPECT_EQ(gauges[2].text, "none");
   EXPECT_EQ(gauges[2].lower, 1.0);
-  for (const DistanceGauge& each : gauges) EXPECT_EQ(each.tone, Tone::clear);
+  EXPECT_EQ(gauges[2].tone, Tone::clear);
+  for (const DistanceGauge& each : {gauges[0], gauges[1]}) {
+    EXPECT_EQ(each.tone, Tone::unknown) << "without a threshold nothing is near";
+    expect_words(each.tip, {"No threshold is set"});
+  }
 }
 
 TEST(PanelModel, ScalesAreOneTwoOrFive) {
@@ -175,6 +184,8 @@ TEST(PanelModel, ComparesDistancesWithThresholds) {
   expect_words(gauges_of(view)[0].tip, {"0.31 m", "WARN below 0.4 m", "STOP below 0.2 m"});
   view.thresholds[0] = {0.4, 0.3};
   EXPECT_EQ(gauges_of(view)[0].tone, Tone::stop);
+  view.thresholds[0] = {0.2, 0.1};
+  EXPECT_EQ(gauges_of(view)[0].tone, Tone::clear);
   view.thresholds[2] = {0.4, 0.3};
   EXPECT_EQ(gauges_of(view)[2].tone, Tone::clear) << "there is none";
 }

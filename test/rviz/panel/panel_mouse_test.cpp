@@ -81,7 +81,7 @@ class PanelMouse : public PanelOnScreen {
   void follow_robot() {
     set("start/pose", std::vector<double>{4.5, 8.0});
     start_node();
-    expect_says("state_title", "CLEAR");
+    expect_says("state_title", "NO THRESHOLD");
     ASSERT_TRUE(has_aspects(10));
   }
 };
@@ -138,12 +138,12 @@ TEST_F(PanelMouse, AClickChoosesACandidate) {
   const std::size_t which = std::abs(list[0].pose.position.y - 8.0) < 0.01 ? 0 : 1;
   auto& button = find<QPushButton>(which == 0 ? "candidate_0" : "candidate_1");
   EXPECT_TRUE(button.text().contains("x 4.5, y 8")) << button.text().toStdString();
-  EXPECT_NE(text("state_title"), "CLEAR");
+  EXPECT_NE(text("state_title"), "NO THRESHOLD");
   click(button);
   ASSERT_TRUE(until([&] { return states.last()->status.code == Status::OK; })) << text("last_answer");
   EXPECT_EQ(states.last()->determinant_sign, list[which].determinant_sign);
   EXPECT_NEAR(states.last()->pose.position.y, 8.0, 1e-6);
-  expect_says("state_title", "CLEAR");
+  expect_says("state_title", "NO THRESHOLD");
   EXPECT_TRUE(until([&] { return panel_->findChild<QPushButton*>("candidate_0") == nullptr; }));
 }
 
