@@ -6,6 +6,7 @@ import inspect
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -314,6 +315,23 @@ def test_long_work_lets_other_threads_run_and_ends_by_what_progress_raises():
     finally:
         ended.set()
         other.join()
+
+
+@pytest.mark.parametrize("statement", ["from parallel_aspects import load", "import parallel_aspects; parallel_aspects.robots()"])
+def test_without_the_compiled_module_its_option_is_named(tmp_path, statement):
+    here = pathlib.Path(pa.__file__).parent
+    there = tmp_path / "parallel_aspects"
+    shutil.copytree(here, there, ignore=shutil.ignore_patterns("_core*.so", "__pycache__"))
+    for files in (None, ["__init__.py"]):  # not built; and not configured, beside the messages
+        if files:
+            for each in there.glob("_*.py"):
+                if each.name not in files:
+                    each.unlink()
+        run = subprocess.run([sys.executable, "-c", statement], capture_output=True, text=True, check=False,
+                             env={**os.environ, "PYTHONPATH": str(tmp_path)})
+        assert run.returncode != 0
+        last = run.stderr.strip().splitlines()[-1]
+        assert last.startswith("ImportError: parallel_aspects.") and "-DPARALLEL_ASPECTS_PYTHON=ON" in last, run.stderr
 
 
 def test_ctrl_c_ends_long_work():
