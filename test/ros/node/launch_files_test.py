@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the launch files start, read as roslaunch reads them, without a master."""
+import functools
 import pathlib
 import unittest
 
@@ -9,6 +10,7 @@ import roslaunch.core
 LAUNCH = pathlib.Path(__file__).resolve().parents[3] / "launch"
 
 
+@functools.lru_cache(maxsize=None)
 def load(file, *arguments):
     """What `roslaunch FILE ARGUMENT...` would start."""
     return roslaunch.config.load_config_default([(str(LAUNCH / file), list(arguments))], None)
@@ -37,6 +39,20 @@ class LaunchFiles(unittest.TestCase):
         for file, expected in (("aspects.launch", set()), ("demo.launch", {"aspect_node"})):
             required = {kind for kind, node in nodes(load(file, "rviz:=true")).items() if node.required}
             self.assertEqual(required, expected)
+
+    def test_the_monitor_may_come_back(self):
+        for given, expected in (([], False), (["respawn:=true"], True)):
+            self.assertEqual(nodes(load("aspects.launch", *given))["aspect_node"].respawn, expected)
+
+    def test_the_monitor_may_be_a_nodelet(self):
+        alone = load("aspects.launch").params
+        for given, expected in ((["manager:=/cell/manager"], "load parallel_aspects/AspectNodelet /cell/manager"),
+                                ([], "standalone parallel_aspects/AspectNodelet")):
+            config = load("aspects.launch", "nodelet:=true", *given)
+            node = nodes(config)["nodelet"]
+            self.assertEqual((node.package, node.name, node.args.strip()), ("nodelet", "aspect_node", expected))
+            self.assertEqual({key: param.value for key, param in config.params.items()},
+                             {key: param.value for key, param in alone.items()})
 
     def test_read_only_is_an_argument(self):
         for given, expected in (([], False), (["read_only:=true"], True)):
