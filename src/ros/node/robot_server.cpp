@@ -42,6 +42,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       display_(setup_, service_nh_),
       state_(tracking_nh_.advertise<AspectState>("state", 100, true)),
       transitions_(tracking_nh_.advertise<AspectTransition>("transitions", 100)),
+      last_transition_(tracking_nh_.advertise<AspectTransition>("last_transition", 10, true)),
       joint_states_(tracking_nh_.advertise<sensor_msgs::JointState>("joint_states", 100)),
       candidates_(work_nh_.advertise<AssemblyCandidates>("candidates", 10, true)),
       map_progress_(service_nh_.advertise<MapProgress>("map_progress", 10, true)),
@@ -246,6 +247,7 @@ void RobotServer::on_joint_states(const ros::MessageEvent<const sensor_msgs::Joi
   }
   for (const AspectTransition& transition : update.transitions) {
     transitions_.publish(transition);
+    last_transition_.publish(transition);
     if (transition.kind == AspectTransition::UNIQUENESS && !transition.domain_shared)
       log_.warn(transition.message);
     else

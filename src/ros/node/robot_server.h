@@ -100,7 +100,7 @@ class RobotServer {
   RobotMonitor monitor_;
   Display display_;
   ros::Publisher guarded_velocity_, guarded_joint_velocities_;  // where the guard is on
-  ros::Publisher state_, transitions_, joint_states_, candidates_, map_progress_;
+  ros::Publisher state_, transitions_, last_transition_, joint_states_, candidates_, map_progress_;
   MapWorker worker_;
   std::atomic<MapWorker::Job> first_map_{0};  // that the node computes at its start
   Queries queries_;

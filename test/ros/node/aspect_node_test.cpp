@@ -231,6 +231,12 @@ TEST_F(AspectNode, TellsEveryTransitionOfATour) {
     EXPECT_NE(transition.kind, AspectTransition::LOST);
     EXPECT_FALSE(transition.kind == AspectTransition::WORKING_MODE && transition.determinant_crossed);
   }
+  // Who comes later hears the last one, and none of those that are counted.
+  const Recorder<AspectTransition> last("/aspect_node/last_transition");
+  const Recorder<AspectTransition> late("/aspect_node/transitions");
+  EXPECT_TRUE(eventually([&] { return last.last().has_value() && late.connected(); }));
+  EXPECT_EQ(last.last()->message, transitions.last()->message);
+  EXPECT_TRUE(late.all().empty());
   const AspectState end = state.answer(last_stamp_);
   EXPECT_EQ(end.status.code, Status::OK) << end.status.message;
   EXPECT_NEAR(end.pose.position.y, 8.0, 1e-6);
