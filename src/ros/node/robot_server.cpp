@@ -292,7 +292,10 @@ void RobotServer::check_age() {
 void RobotServer::work() {
   monitor_.set_distance_map(worker_.known().distances_of(setup_.mechanism->manipulator()));
   monitor_.set_domains(worker_.domains());
-  if (const auto candidates = monitor_.work()) candidates_.publish(*candidates);
+  const auto candidates = monitor_.work();
+  if (!candidates) return;
+  candidates_.publish(*candidates);
+  display_.set_candidates(*candidates);
 }
 
 // Takes some tenths of a second, so it is not for the constructor.

@@ -44,6 +44,7 @@ Display::Display(const NodeSetup& setup, ros::NodeHandle private_nh)
     : manipulator_(setup.mechanism->manipulator()),
       frames_(frames_of(setup)),
       scene_(scene_of(*setup.mechanism, setup.options)),
+      visuals_(setup.mechanism, setup.urdf, scene_.robot.max().x()),
       markers_(latched(private_nh, "markers")),
       present_markers_(latched(private_nh, "present_markers")),
       position_markers_(latched(private_nh, "position_markers")),
@@ -114,6 +115,17 @@ void Display::show(const CurrentConfiguration& current, const std::string& map_m
   fresh_ = false;
 }
 
+void Display::set_candidates(const AssemblyCandidates& candidates) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  candidates_.clear();
+  for (const SolvedConfiguration& each : candidates.candidates)
+    if (const auto pose = pose_from_base(*manipulator_, each.pose))
+      candidates_.emplace_back(
+          *pose, Eigen::Map<const Eigen::VectorXd>(each.joint_positions.data(),
+                                                   static_cast<Eigen::Index>(each.joint_positions.size())));
+  caption_.clear();  // so that they are drawn
+}
+
 std::vector<visualization_msgs::Marker> Display::dots_of(const DrawnConfiguration& other) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!mapped_) return {};
@@ -141,8 +153,21 @@ void Display::publish_position(const Drawn& now, const std::string& words) {
   batch.text({frames_.base, manipulator_->task_frame() * Eigen::Translation3d(caption.at)}, "caption",
              Eigen::Vector2d::Zero(), 0.0, caption.text_height, caption.words, ink());
   array.markers.push_back(batch.take().markers.back());
+  draw_robots(now, array.markers);
   position_markers_.publish(array);
   caption_ = words;
+}
+
+// The robot itself where rviz has no visuals of it; while it is not known which one it is, all that it may
+// be.
+void Display::draw_robots(const Drawn& now, std::vector<visualization_msgs::Marker>& markers) const {
+  const auto draw = [&](const Pose& pose, const JointVector& q, const std::string& group) {
+    for (auto& each : visuals_.skeleton_at(pose, q, group, ink())) markers.push_back(std::move(each));
+  };
+  if (now && visuals_.empty()) draw(now->solved.pose, now->solved.q, "robot");
+  if (now) return;
+  for (std::size_t i = 0; i < candidates_.size(); ++i)
+    draw(candidates_[i].first, candidates_[i].second, "candidate_" + std::to_string(i + 1));
 }
 
 std::string Display::caption(const CurrentConfiguration& current, const std::string& map_message) const {

@@ -7,6 +7,7 @@
 #include "ros/monitor/robot_monitor.h"
 #include "ros/parameters/load_options.h"
 #include "ros/pictures/picture.h"
+#include "ros/pictures/robot_visuals.h"
 #include "ros/pictures/scene.h"
 
 #include <ros/node_handle.h>
@@ -16,6 +17,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -35,6 +37,9 @@ class Display {
   /// From now on; a picture that differs is worked out at once.
   void set_options(const DisplayOptions& options);
 
+  /// Where the robot may be, while it is not known; each is drawn as a skeleton. Call from any thread.
+  void set_candidates(const AssemblyCandidates& candidates);
+
   /// Draws what has changed since the last call. `map_message`: what there is to say about the map.
   void show(const CurrentConfiguration& current, const std::string& map_message);
 
@@ -47,11 +52,13 @@ class Display {
   void publish_gallery(const Drawn& now);
   void publish_present(const Drawn& now);
   void publish_position(const Drawn& now, const std::string& words);
+  void draw_robots(const Drawn& now, std::vector<visualization_msgs::Marker>& markers) const;
   std::string caption(const CurrentConfiguration& current, const std::string& map_message) const;
 
   const std::shared_ptr<const Manipulator> manipulator_;
   const MarkerFrames frames_;
   const Scene scene_;
+  const RobotVisuals visuals_;
   ros::Publisher markers_, present_markers_, position_markers_, uniqueness_markers_;
   tf2_ros::StaticTransformBroadcaster static_tf_;
 
@@ -64,6 +71,7 @@ class Display {
   Drawn drawn_gallery_, drawn_present_;  // as published
   ros::WallTime gallery_time_, present_time_;
   std::string caption_;
+  std::vector<std::pair<Pose, JointVector>> candidates_;
 };
 
 }  // namespace parallel_aspects

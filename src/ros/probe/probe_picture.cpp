@@ -39,7 +39,7 @@ Marker with_id(Marker marker, int id) {
 ProbePicture::ProbePicture(std::shared_ptr<const Mechanism> mechanism, const std::string& urdf, Scene scene)
     : mechanism_(std::move(mechanism)),
       robot_(*mechanism_->manipulator()),
-      visuals_(*mechanism_, urdf),
+      visuals_(mechanism_, urdf, scene.robot.max().x()),
       scene_(std::move(scene)) {}
 
 visualization_msgs::MarkerArray ProbePicture::of(const ProbeFinding& finding, Markers extra) {
@@ -75,18 +75,12 @@ visualization_msgs::MarkerArray ProbePicture::replaced_by(Markers markers) {
 
 void ProbePicture::draw_robots(const ProbeFinding& finding, Markers& markers) const {
   const Pose& pose = finding.reached->pose;
-  draw_robot(pose, finding.reached->q, "probe/robot", faded(robot_color(finding), 0.55F), markers);
+  const auto draw = [&](const JointVector& q, const std::string& group, const std_msgs::ColorRGBA& shade) {
+    for (Marker& each : visuals_.at(pose, q, group, shade)) markers.push_back(std::move(each));
+  };
+  draw(finding.reached->q, "probe/robot", faded(robot_color(finding), 0.55F));
   for (std::size_t i = 0; i < finding.others.size(); ++i)
-    draw_robot(pose, finding.others[i], "probe/other_" + std::to_string(i + 1), faded(color(0x707070), 0.15F),
-               markers);
-}
-
-// Left out where its loops do not close, so that it is never drawn open.
-void ProbePicture::draw_robot(const Pose& pose, const JointVector& q, const std::string& group,
-                              const std_msgs::ColorRGBA& color, Markers& markers) const {
-  Eigen::VectorXd positions(static_cast<Eigen::Index>(mechanism_->joint_names().size()));
-  if (!mechanism_->complete(pose, q, positions)) return;
-  for (Marker& each : visuals_.at(positions, group, color)) markers.push_back(std::move(each));
+    draw(finding.others[i], "probe/other_" + std::to_string(i + 1), faded(color(0x707070), 0.15F));
 }
 
 // Of the parallel and the serial singularity the nearer one: a line from each point to where it is there.

@@ -3,9 +3,9 @@
 #define PARALLEL_ASPECTS_ROS_PROBE_PROBE_PICTURE_H
 
 #include "parallel_aspects/urdf/mechanism.h"
+#include "ros/pictures/robot_visuals.h"
 #include "ros/pictures/scene.h"
 #include "ros/probe/probe_solver.h"
-#include "ros/probe/robot_visuals.h"
 
 #include <memory>
 #include <set>
@@ -37,8 +37,6 @@ class ProbePicture {
 
   visualization_msgs::MarkerArray replaced_by(Markers markers);
   void draw_robots(const ProbeFinding& finding, Markers& markers) const;
-  void draw_robot(const Pose& pose, const JointVector& q, const std::string& group,
-                  const std_msgs::ColorRGBA& color, Markers& markers) const;
   void draw_singularity(const ProbeFinding& finding, Markers& markers) const;
   void draw_escape(const Pose& pose, const BoundaryDistance& distance, const JointVector& q,
                    Markers& markers) const;
@@ -49,7 +47,7 @@ class ProbePicture {
   geometry_msgs::Point drawn(const Eigen::Vector3d& point) const;
   std::vector<Eigen::Vector3d> seen_points() const;
 
-  std::shared_ptr<const Mechanism> mechanism_;
+  const std::shared_ptr<const Mechanism> mechanism_;
   const Manipulator& robot_;
   RobotVisuals visuals_;
   Scene scene_;

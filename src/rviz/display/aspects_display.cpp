@@ -333,6 +333,10 @@ void AspectsDisplay::place_robot(const Manipulator& robot) {
   auto shown = candidates_;
   if (present_ && mode_) shown = {{*present_, *mode_}};
   points_.show(*picture_, robot, placement_, shown, {scene_manager_, scene_node_});
+  // A window can show a model of the robot, but not of all that it may be.
+  points_.show_skeletons(robot, map_->robot.max().x(),
+                         map_->has_visuals && present_ ? PresentPoints::Configurations() : shown,
+                         {scene_manager_, scene_node_});
   if (present_ && mode_ && nearest_->getBool())
     mark_.show(*picture_, map_->map->manipulator(), placement_, shown.front(), {scene_manager_, scene_node_});
   else

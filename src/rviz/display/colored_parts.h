@@ -30,12 +30,15 @@ struct ColoredLines {
   std::vector<Eigen::Vector3f> ends;
 };
 
+/// How high a label is, over the size of the robot.
+inline constexpr double id_height = 0.045;
+
 /// Words, as the viewer sees them.
 struct Label {
   std::string text;
   std::uint32_t color = 0;
   Eigen::Vector3f at = Eigen::Vector3f::Zero();
-  double share = 1.0;  ///< of the usual height
+  double share = 1.0;  ///< of `id_height`
   int aspect = 0;      ///< id of the aspect that it names; 0 for other words
 };
 

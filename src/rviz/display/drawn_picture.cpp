@@ -13,7 +13,7 @@ namespace parallel_aspects {
 namespace {
 
 // Over the size of the robot.
-constexpr double id_height = 0.045, legend_height = 0.028, line_width = 0.004, outline_width = 0.008;
+constexpr double legend_height = 0.028, line_width = 0.004, outline_width = 0.008;
 
 constexpr double selected_height = 1.6;  // over that of ids that are not
 
@@ -88,15 +88,8 @@ void DrawnPicture::add(const ColoredMesh& mesh, Ogre::SceneNode* node, bool is_c
 void DrawnPicture::add(const ColoredLines& lines, Ogre::SceneNode* node, double size) {
   if (lines.ends.empty()) return;
   auto line = std::make_unique<rviz::BillboardLine>(scene_, node);
-  line->setMaxPointsPerLine(2);
-  line->setNumLines(static_cast<std::uint32_t>(lines.ends.size() / 2));
-  line->setLineWidth(static_cast<float>((lines.is_outline ? outline_width : line_width) * size));
   set_color(*line, lines.color, 1.0F);
-  for (std::size_t i = 0; i + 1 < lines.ends.size(); i += 2) {
-    if (i > 0) line->newLine();
-    line->addPoint(ogre_vector(lines.ends[i]));
-    line->addPoint(ogre_vector(lines.ends[i + 1]));
-  }
+  set_segments(lines.ends, (lines.is_outline ? outline_width : line_width) * size, *line);
   lines_.push_back(std::move(line));
 }
 

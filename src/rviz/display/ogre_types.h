@@ -7,7 +7,9 @@
 #include <OgreColourValue.h>
 #include <OgreQuaternion.h>
 #include <OgreVector3.h>
+#include <cstddef>
 #include <cstdint>
+#include <rviz/ogre_helpers/billboard_line.h>
 
 namespace parallel_aspects {
 
@@ -27,6 +29,19 @@ inline Ogre::ColourValue ogre_color(std::uint32_t color) {
     return static_cast<float>(color >> shift & 0xFFU) / 255.0F;
   };
   return Ogre::ColourValue(channel(16), channel(8), channel(0), 1.0F);
+}
+
+/// A line of segments, two points each. `width` [m].
+template <class Points>
+void set_segments(const Points& ends, double width, rviz::BillboardLine& line) {
+  line.clear();
+  line.setMaxPointsPerLine(2);
+  line.setNumLines(static_cast<std::uint32_t>(ends.size() / 2));
+  line.setLineWidth(static_cast<float>(width));
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (i > 0 && i % 2 == 0) line.newLine();
+    line.addPoint(ogre_vector(ends[i]));
+  }
 }
 
 }  // namespace parallel_aspects

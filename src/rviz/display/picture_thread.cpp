@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/model/problems.h"
 #include "ros/messages/map_messages.h"
+#include "ros/pictures/robot_visuals.h"
 #include "ros/pictures/scene.h"
 
 #include <parallel_aspects/Status.h>
@@ -140,6 +141,7 @@ void PictureThread::take_robot(const GetMap::Response& response) {
   const std::size_t texts = std::hash<std::string>()(response.urdf + '\n' + response.description);
   if (mechanism_ && texts == texts_) return;
   mechanism_ = mechanism_of(response);
+  has_visuals_ = !RobotVisuals(*mechanism_, response.urdf, 1.0).empty();
   const std::lock_guard<std::mutex> lock(mutex_);
   if (texts_ != 0) ++result_.robots;
   texts_ = texts;
@@ -154,8 +156,9 @@ void PictureThread::take(const GetMap::Response& response, double seconds) {
   const MapResult read = map_of(response, **mechanism_);
   if (!read.map) return fail(read.message);
   auto received = std::make_shared<ReceivedMap>();
-  *received = {read.map, response.base_frame, response.revision, response.map.size(),
-               robot_box(**mechanism_)};
+  *received = {
+      read.map,    response.base_frame, response.revision, response.map.size(), robot_box(**mechanism_),
+      has_visuals_};
   const std::lock_guard<std::mutex> lock(mutex_);
   result_.map = std::move(received);
   result_.problem.clear();
@@ -179,7 +182,7 @@ void PictureThread::carry_out_volume(const Volume& volume) {
   if (computed.status == MapStatus::cancelled) return;
   if (!computed.map) return fail(computed.message);
   auto received = std::make_shared<ReceivedMap>();
-  *received = {computed.map, robot->base_frame(), "", 0, robot_box(**mechanism_)};
+  *received = {computed.map, robot->base_frame(), "", 0, robot_box(**mechanism_), has_visuals_};
   const std::lock_guard<std::mutex> lock(mutex_);
   result_.map = std::move(received);
   result_.problem.clear();

@@ -27,6 +27,7 @@ struct ReceivedMap {
   std::string base_frame, revision;
   std::size_t bytes = 0;        ///< of the map; 0 for one that was computed here
   Eigen::AlignedBox3d robot{};  ///< what the robot takes, in the task frame [m]
+  bool has_visuals = true;      ///< whether rviz can show the robot by its URDF
 
   /// Id of the aspect that holds a pose; 0 where none does, or the map cannot tell. In a map that was
   /// computed here, of its position at the orientation of the map.
@@ -96,6 +97,7 @@ class PictureThread {
   Result result_;
   std::size_t texts_ = 0;                     // that the robot was loaded from, hashed
   std::optional<SharedMechanism> mechanism_;  // of the robot that was received last
+  bool has_visuals_ = true;                   // likewise
   std::unique_ptr<SurfaceStore> store_;
   std::thread thread_;
 };

@@ -2,6 +2,8 @@
 #include "rviz/display/present_points.h"
 
 #include "parallel_aspects/kinematics/inverse.h"
+#include "ros/pictures/skeleton.h"
+#include "rviz/display/ogre_types.h"
 #include "rviz/display/workspace_painter.h"
 
 namespace parallel_aspects {
@@ -31,8 +33,7 @@ void add_dots(const SurfacePicture& picture, const Manipulator& robot, const Vec
 }  // namespace
 
 void PresentPoints::show(const SurfacePicture& picture, const Manipulator& robot, const Vector3d& placement,
-                         const std::vector<std::pair<Pose, WorkingMode>>& configurations,
-                         const Place& place) {
+                         const Configurations& configurations, const Place& place) {
   std::vector<Dot> dots;
   for (const auto& [pose, mode] : configurations) add_dots(picture, robot, placement, pose, mode, dots);
   while (points_.size() > dots.size()) points_.pop_back();
@@ -46,6 +47,21 @@ void PresentPoints::show(const SurfacePicture& picture, const Manipulator& robot
     const Eigen::Vector3f at = dots[i].at.cast<float>();
     points_[i]->setPosition({at.x(), at.y(), at.z()});
   }
+}
+
+void PresentPoints::show_skeletons(const Manipulator& robot, double radius,
+                                   const Configurations& configurations, const Place& place) {
+  std::vector<Vector3d> ends;
+  for (const auto& [pose, mode] : configurations) {
+    const InverseSolution solution = inverse(robot, pose, mode);
+    if (solution.q.size() == 0) continue;
+    const std::vector<Vector3d> more = skeleton_of(robot, pose, solution.q, radius);
+    ends.insert(ends.end(), more.begin(), more.end());
+  }
+  if (ends.empty()) return skeletons_.reset();
+  if (!skeletons_) skeletons_ = std::make_unique<rviz::BillboardLine>(place.scene, place.node);
+  skeletons_->setColor(0.05F, 0.05F, 0.05F, 1.0F);
+  set_segments(ends, skeleton_width * robot.size(), *skeletons_);
 }
 
 }  // namespace parallel_aspects

@@ -61,14 +61,8 @@ void SingularityMark::draw(double size, const PresentPoints::Place& place) {
   if (!nearest_) return;
   const Ogre::ColourValue color = ogre_color(boundary_color(nearest_->kind));
   line_ = std::make_unique<rviz::BillboardLine>(place.scene, place.node);
-  line_->setMaxPointsPerLine(2);
-  line_->setNumLines(static_cast<std::uint32_t>(nearest_->way.size() / 2));
-  line_->setLineWidth(static_cast<float>(way_width * size));
   line_->setColor(color.r, color.g, color.b, 1.0F);
-  for (std::size_t i = 0; i < nearest_->way.size(); ++i) {
-    if (i > 0 && i % 2 == 0) line_->newLine();
-    line_->addPoint(ogre_vector(nearest_->way[i]));
-  }
+  set_segments(nearest_->way, way_width * size, *line_);
   line_->getMaterial()->setDepthCheckEnabled(false);
   Ogre::SceneNode& chains = *line_->getSceneNode();
   for (unsigned short i = 0; i < chains.numAttachedObjects(); ++i)

@@ -59,6 +59,7 @@ PicturePart WorkspacePainter::draw(const std::vector<int>& ids, std::size_t most
       if (!cancelled) draw_surface(id, std::max<std::size_t>(2000, most_triangles / ids.size()));
   }
   for (const int id : ids) add_label(id);
+  spread_labels();
   return std::move(part_);
 }
 
@@ -212,6 +213,26 @@ void WorkspacePainter::add_label(int id) {
   const double paleness = style_.section ? 0.0 : id == style_.present ? 0.25 : 0.55;
   part_.labels.push_back(
       {words, readable_on(lightened(paint_.color(id), paleness)), at.cast<float>(), 1.0, id});
+}
+
+// Aspects of several working modes, as of candidates, may be deepest at one place: one below the other there.
+void WorkspacePainter::spread_labels() {
+  const Eigen::Index up = is_planar(space_) ? 1 : 2;
+  const auto height = static_cast<float>(id_height * store_.robot().size());
+  const auto overlap = [height](const Label& one, const Label& other) {
+    const float letters = 0.25F * static_cast<float>(one.text.size() + other.text.size());
+    const Vector3f room(std::max(1.0F, letters) * height, height, height);
+    return ((one.at - other.at).cwiseAbs().array() < room.array()).all();
+  };
+  for (auto label = part_.labels.begin(); label != part_.labels.end(); ++label)
+    for (auto other = part_.labels.begin(); other != label;) {
+      if (overlap(*label, *other)) {
+        label->at[up] = other->at[up] - 1.01F * height;
+        other = part_.labels.begin();  // it may lie on one of those before now
+      } else {
+        ++other;
+      }
+    }
 }
 
 }  // namespace parallel_aspects

@@ -42,6 +42,7 @@ class WorkspacePainter {
   void add_sliver(const BoundarySliver& sliver, ColoredMesh& mesh) const;
   void add_segments(const std::vector<BoundarySegment>& segments, const std::set<int>& ids);
   void add_label(int id);
+  void spread_labels();
   std::uint32_t triangle_color(const AspectSurface& surface, std::size_t t) const;
   float height(double layer) const;
 

@@ -11,6 +11,7 @@
 #include "support/urdf_frames.h"
 #include <algorithm>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -61,7 +62,8 @@ TEST_P(PictureOf, DrawsTheLinksWhereTheClosedMechanismHasThem) {
     for (const auto& visual : link->visual_array)
       expected.push_back(base.inverse() * test::link_frame(*model, name, joints) *
                          test::isometry(visual->origin));
-  const auto markers = RobotVisuals(*mechanism_, urdf_of(GetParam())).at(positions, "robot", {});
+  const auto markers =
+      RobotVisuals(mechanism_, urdf_of(GetParam()), 1.0).at(start_.pose, start_.q, "robot", {});
   ASSERT_FALSE(markers.empty());
   for (const Marker& marker : markers) {
     const Eigen::Isometry3d found = isometry_of(marker.pose);
@@ -69,6 +71,28 @@ TEST_P(PictureOf, DrawsTheLinksWhereTheClosedMechanismHasThem) {
       return found.isApprox(each, 1e-9);
     })) << marker.id;
     EXPECT_EQ(marker.header.frame_id, robot_.base_frame());
+  }
+}
+
+// Without visuals the robot is drawn as lines: every rod from where its actuated joint holds it to its
+// anchor.
+TEST_P(PictureOf, DrawsLegsAndPlatformWhereThereAreNoVisuals) {
+  static const std::regex visual(R"(<visual[\s>][\s\S]*?</visual>)");
+  const std::string stripped = std::regex_replace(urdf_of(GetParam()), visual, "");
+  const auto markers = RobotVisuals(mechanism_, stripped, 2.0).at(start_.pose, start_.q, "robot", {});
+  ASSERT_EQ(markers.size(), 1U);
+  EXPECT_EQ(markers[0].type, Marker::LINE_LIST);
+  EXPECT_EQ(markers[0].header.frame_id, robot_.base_frame());
+  const double scale = robot_.task_space() == TaskSpace::SO3 ? 2.0 : 1.0;
+  std::vector<Eigen::Vector3d> ends;
+  for (const auto& each : markers[0].points) ends.emplace_back(each.x, each.y, each.z);
+  for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
+    const Eigen::Vector3d from = scale * robot_.leg(j).proximal_point(start_.q[static_cast<Eigen::Index>(j)]),
+                          to = scale * start_.pose.transform(robot_.leg(j).anchor);
+    bool found = false;
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+      found = found || ((ends[i] - from).norm() < 1e-9 && (ends[i + 1] - to).norm() < 1e-9);
+    EXPECT_TRUE(found) << robot_.leg(j).name;
   }
 }
 

@@ -77,6 +77,23 @@ TEST(SurfacePicture, ChoicesShowTheAspectsThatTheyName) {
   EXPECT_TRUE(shown_aspects(map, choice).empty());
 }
 
+// Aspects of different working modes lie upon each other, and may be deepest at one place.
+TEST(SurfacePicture, LabelsDoNotOverprint) {
+  PictureChoice choice = in_aspect(five_bar(), 1);
+  choice.shown = Shown::all;
+  choice.aspect = 0;
+  for (const Aspect& aspect : five_bar().aspects()) choice.candidates.insert(aspect.id);
+  const auto labels = draw_surfaces(five_bar_store(), choice, std::nullopt, not_cancelled).moving.labels;
+  EXPECT_EQ(labels.size(), five_bar().aspects().size());
+  const double height = id_height * five_bar().manipulator()->size();
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Eigen::Vector3f apart = (labels[i].at - labels[j].at).cwiseAbs();
+      EXPECT_TRUE(apart.y() >= height || apart.x() >= 0.5 * height * labels[i].text.size())
+          << labels[i].text << " upon " << labels[j].text;
+    }
+}
+
 TEST(SurfacePicture, IdsAndModesAreReadAndOtherWordsNamed) {
   const AspectMap& map = five_bar();
   std::string problem;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/probe/robot_visuals.h"
+#include "ros/pictures/robot_visuals.h"
 
 #include "ros/messages/conversions.h"
+#include "ros/pictures/marker_batch.h"
+#include "ros/pictures/skeleton.h"
 #include "urdf/reading/tree_reader.h"
 
 #include <urdf_parser/urdf_parser.h>
@@ -52,14 +54,16 @@ bool names(const std::string& frame, const std::string& link) {
 
 }  // namespace
 
-RobotVisuals::RobotVisuals(const Mechanism& mechanism, const std::string& urdf)
-    : base_frame_(mechanism.manipulator()->base_frame()) {
+RobotVisuals::RobotVisuals(std::shared_ptr<const Mechanism> mechanism, const std::string& urdf, double radius)
+    : mechanism_(std::move(mechanism)),
+      radius_(radius),
+      base_frame_(mechanism_->manipulator()->base_frame()) {
   Problems problems;
   std::vector<std::string> notes;  // said by the loader
   auto tree = read_tree(urdf, "robot_description", problems, notes);
   if (!tree) return;
   tree_ = std::move(*tree);
-  const auto& joints = mechanism.joint_names();
+  const auto& joints = mechanism_->joint_names();
   for (const std::size_t movable : tree_.movable) {
     const auto found = std::find(joints.begin(), joints.end(), tree_.joints[movable].name);
     if (found == joints.end()) return;
@@ -93,10 +97,12 @@ bool RobotVisuals::moves(std::size_t link) const {
   return false;
 }
 
-std::vector<Marker> RobotVisuals::at(const Eigen::VectorXd& positions, const std::string& group,
+std::vector<Marker> RobotVisuals::at(const Pose& pose, const JointVector& q, const std::string& group,
                                      const std_msgs::ColorRGBA& color) const {
+  if (visuals_.empty()) return skeleton_at(pose, q, group, color);
   std::vector<Marker> markers;
-  if (visuals_.empty()) return markers;
+  Eigen::VectorXd positions(static_cast<Eigen::Index>(mechanism_->joint_names().size()));
+  if (!mechanism_->complete(pose, q, positions)) return markers;
   Eigen::VectorXd values(tree_.variables());
   for (std::size_t i = 0; i < sources_.size(); ++i)
     values[static_cast<Eigen::Index>(i)] = positions[static_cast<Eigen::Index>(sources_[i])];
@@ -111,6 +117,16 @@ std::vector<Marker> RobotVisuals::at(const Eigen::VectorXd& positions, const std
     markers.push_back(std::move(marker));
   }
   return markers;
+}
+
+std::vector<Marker> RobotVisuals::skeleton_at(const Pose& pose, const JointVector& q,
+                                              const std::string& group,
+                                              const std_msgs::ColorRGBA& color) const {
+  const Manipulator& robot = *mechanism_->manipulator();
+  MarkerBatch batch;
+  batch.segments({base_frame_, robot.task_frame()}, group, skeleton_of(robot, pose, q, radius_),
+                 skeleton_width * robot.size(), color);
+  return {batch.take().markers.back()};  // without what deletes all others
 }
 
 }  // namespace parallel_aspects
