@@ -76,7 +76,7 @@ TEST(DistanceThresholds, HoldTheirHysteresisWhileNothingIsKnown) {
 
 TEST(DistanceThresholds, TheNearestIsOneThatIsKnown) {
   DistanceThresholds tested;
-  EXPECT_EQ(tested.update({unknown, 0.3, 0.2}).level, ThresholdLevel::clear);
+  EXPECT_EQ(tested.update({unknown, 0.3, 0.2}).level, ThresholdLevel::unset);
   EXPECT_EQ(tested.state().hazard, Hazard::limit);
 }
 

@@ -24,6 +24,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <actionlib/client/simple_action_client.h>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
@@ -33,9 +34,11 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <regex>
 #include <string>
 #include <thread>
 #include <utility>
+#include <visualization_msgs/MarkerArray.h>
 
 namespace parallel_aspects {
 namespace {
@@ -374,6 +377,33 @@ TEST_F(NodeLife, ANodeThatStoodStillBlamesNoClock) {
     said = said || state.status.message.find("stood still") != std::string::npos;
   }
   EXPECT_TRUE(said);
+}
+
+// Without visuals rviz has no model of it; nor has it one of what it may be.
+TEST_F(NodeLife, ARobotWithoutVisualsIsDrawnAsLines) {
+  const std::regex visual(R"(<visual[\s>][\s\S]*?</visual>)");
+  ros::param::set(space_ + "/robot_description",
+                  std::regex_replace(test::source_file("urdf/five_bar.urdf"), visual, ""));
+  ros::param::del(node_ + "/start");
+  start();
+  const Recorder<visualization_msgs::MarkerArray> markers(node_ + "/position_markers");
+  const auto drawn = [&](const std::string& group) {
+    const auto last = markers.last();
+    return last && std::any_of(last->markers.begin(), last->markers.end(), [&](const auto& marker) {
+             return marker.ns == group && marker.type == visualization_msgs::Marker::LINE_LIST;
+           });
+  };
+  EXPECT_TRUE(eventually([&] {
+    move_to(start_);
+    return drawn("candidate_1") && drawn("candidate_2") && !drawn("robot");
+  }));
+  SetAssemblyMode::Request sign;
+  sign.configuration.determinant_sign = 1;
+  EXPECT_EQ(call<SetAssemblyMode>("set_assembly_mode", sign).status.code, Status::OK);
+  EXPECT_TRUE(eventually([&] {
+    move_to(start_);
+    return drawn("robot") && !drawn("candidate_1");
+  }));
 }
 
 TEST_F(NodeLife, TellsRatesAndLossesInDiagnostics) {
