@@ -2,6 +2,7 @@
 #include "ros/joint_states/publisher_watch.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -31,7 +32,7 @@ void PublisherWatch::count(const std::string& publisher, std::uint32_t sequence)
     known->sequence = sequence;
     return;
   }
-  const Publisher heard{publisher, sequence, false, {}};
+  const Publisher heard{publisher, sequence, false};
   if (publishers_.size() < max_publishers) {
     publishers_.push_back(heard);
     return;
@@ -44,27 +45,29 @@ bool PublisherWatch::recent(const Turn& turn, const ros::Time& now) const {
   return !turn.at.isZero() && now - turn.at <= alive_;
 }
 
-// Two publish the same actuated joint where one is heard, then the other, then the first again. One after the
-// other, as when a bag is played a second time, is no contest.
+// Two publish the same actuated joint where its publisher changes twice within that time. Once, as when a bag
+// is played a second time, is no contest.
+Claim PublisherWatch::take_turn(Turns& turns, const std::string& publisher, const ros::Time& now) const {
+  const bool changes = turns.last.publisher != publisher;
+  const bool contested = changes && recent(turns.last, now) && recent(turns.before, now);
+  if (changes) turns.before = std::exchange(turns.last, {publisher, {}});
+  turns.last.at = now;
+  if (contested) return Claim::contested;
+  return recent(turns.before, now) ? Claim::waiting : Claim::sole;
+}
+
 Claim PublisherWatch::claim(const std::string& publisher, const JointSet& named_joints, const ros::Time& now,
                             std::string& other) {
-  Publisher* const own = find(publisher);
-  Claim claim = Claim::sole;
+  Claim worst = Claim::sole;
   other.clear();
-  ++claims_;
   for (std::size_t actuation = 0; actuation < named_joints.size(); ++actuation) {
     if (!named_joints[actuation]) continue;
-    const Turn before = own ? own->turns[actuation] : Turn();
-    if (own) own->turns[actuation] = {now, claims_};
-    for (const Publisher& rival : publishers_) {
-      if (rival.name == publisher || !recent(rival.turns[actuation], now) || claim == Claim::contested)
-        continue;
-      const bool by_turns = recent(before, now) && rival.turns[actuation].number > before.number;
-      claim = by_turns ? Claim::contested : Claim::waiting;
-      other = rival.name;
-    }
+    const Claim claim = take_turn(turns_[actuation], publisher, now);
+    if (claim <= worst) continue;
+    worst = claim;
+    other = turns_[actuation].before.publisher;
   }
-  return claim;
+  return worst;
 }
 
 bool PublisherWatch::counted() const noexcept {
@@ -72,8 +75,6 @@ bool PublisherWatch::counted() const noexcept {
                      [](const Publisher& publisher) { return publisher.counts; });
 }
 
-void PublisherWatch::forget_claims() noexcept {
-  for (Publisher& publisher : publishers_) publisher.turns.fill({});
-}
+void PublisherWatch::forget_claims() noexcept { turns_.fill({}); }
 
 }  // namespace parallel_aspects

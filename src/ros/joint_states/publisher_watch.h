@@ -18,9 +18,9 @@ namespace parallel_aspects {
 /// Which of the actuated joints of a robot, in the order of its legs.
 using JointSet = std::bitset<max_legs>;
 
-/// What a message of one publisher is worth.
+/// What a message of one publisher is worth: only one that is `sole` is to be believed.
 enum class Claim {
-  sole,      ///< nobody else published these actuated joints a short while ago
+  sole,      ///< nobody else published these actuated joints within the time in which a publisher is alive
   waiting,   ///< another one did, who may have ended: it is not known yet whether both publish
   contested  ///< both publish, by turns
 };
@@ -36,7 +36,7 @@ class PublisherWatch {
   void count(const std::string& publisher, std::uint32_t sequence);
 
   /// It holds these actuated joints of this robot. `other` becomes the name of another publisher that did so
-  /// a short while ago, or empty.
+  /// within that time, or empty.
   Claim claim(const std::string& publisher, const JointSet& named_joints, const ros::Time& now,
               std::string& other);
 
@@ -50,24 +50,30 @@ class PublisherWatch {
   void forget_claims() noexcept;
 
  private:
-  /// When a publisher last published an actuated joint.
-  struct Turn {
-    ros::Time at;              // zero for never
-    std::uint64_t number = 0;  // counts all claims up
-  };
   struct Publisher {
     std::string name;
     std::uint32_t sequence = 0;
     bool counts = false;
-    std::array<Turn, max_legs> turns;  // by actuated joint
+  };
+  /// Who published something last, and when; zero for never.
+  struct Turn {
+    std::string publisher;
+    ros::Time at;
+  };
+  /// The last turn of one actuated joint, and the last of any other publisher: however many there are,
+  /// whether another one is alive takes no more.
+  struct Turns {
+    Turn last, before;
   };
   Publisher* find(const std::string& name);
+  Claim take_turn(Turns& turns, const std::string& publisher, const ros::Time& now) const;
   bool recent(const Turn& turn, const ros::Time& now) const;
 
   const ros::Duration alive_;
   std::vector<Publisher> publishers_;
   std::size_t next_to_replace_ = 0;
-  std::uint64_t lost_ = 0, claims_ = 0;
+  std::uint64_t lost_ = 0;
+  std::array<Turns, max_legs> turns_;  // by actuated joint
 };
 
 }  // namespace parallel_aspects

@@ -11,6 +11,14 @@
 #include <utility>
 
 namespace parallel_aspects {
+namespace {
+
+std::string both(const std::string& one, const std::string& other) {
+  return "both " + std::min(one, other) + " and " + std::max(one, other) +
+         " publish the actuated joints; stop one of them.";
+}
+
+}  // namespace
 
 RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const NodeOptions& options,
                            const std::string& topic)
@@ -46,32 +54,26 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
   const bool nothing_lately = age_.silence(now) > age_.timeout() / 2.0;
   const bool new_names = sample.status != SampleStatus::usable && nothing_lately && names_.hear(message);
   if (sample.status == SampleStatus::foreign) return pass_over(new_names);
-  if (const auto contested = contest(publisher, sample, stamp, now)) return *contested;
-  if (sample.status == SampleStatus::invalid)
-    return refuse(Status::INVALID_JOINT_STATES, sample.message, stamp, now);
-  if (sample.status == SampleStatus::usable && stamp == age_.stamp() && last_q_ && sample.q == *last_q_)
-    return {};  // the same again
-  // Messages that hold some of the actuated joints come on several paths, and may overtake one another.
-  const ros::Time before = sample.status == SampleStatus::partial ? ros::Time() : age_.stamp();
-  const std::string fault = fault_of_stamp(stamp, before, now, age_.timeout());
-  if (!fault.empty()) return refuse(Status::INVALID_JOINT_STATES, fault, stamp, now);
-  return take(sample, stamp, now);
-}
-
-// What to say where another node publishes these actuated joints, too, or may do so; nothing where none does.
-std::optional<MonitorUpdate> RobotMonitor::contest(const std::string& publisher, const JointSample& sample,
-                                                   const ros::Time& stamp, const ros::Time& now) {
   std::string other;
   const Claim claim = publishers_.claim(publisher, sample.named_joints, now, other);
   if (claim == Claim::contested)
-    return refuse(Status::SEVERAL_PUBLISHERS,
-                  "both " + std::min(publisher, other) + " and " + std::max(publisher, other) +
-                      " publish the actuated joints; stop one of them.",
-                  stamp, now);
-  // While the clock stands still, no other seems to end.
-  if (claim != Claim::waiting || age_.halted()) return std::nullopt;
-  if (status_.code == Status::SEVERAL_PUBLISHERS) last_refused_ = now;
-  return MonitorUpdate();
+    return refuse(Status::SEVERAL_PUBLISHERS, both(publisher, other), stamp, now);
+  if (claim == Claim::waiting && status_.code == Status::SEVERAL_PUBLISHERS) last_refused_ = now;
+  // Nothing is said while the other may have ended; but by a clock that stands still none ever has.
+  if (claim == Claim::waiting && !age_.halted()) return {};
+  const bool again = sample.status == SampleStatus::usable && stamp == age_.stamp();
+  if (again && last_q_ && sample.q == *last_q_) return {};
+  const std::string fault = fault_of(sample, stamp, now);
+  if (!fault.empty()) return refuse(Status::INVALID_JOINT_STATES, fault, stamp, now);
+  return claim == Claim::sole ? take(sample, stamp, now) : MonitorUpdate();
+}
+
+// Messages that hold some of the actuated joints come on several paths, and may overtake one another.
+std::string RobotMonitor::fault_of(const JointSample& sample, const ros::Time& stamp,
+                                   const ros::Time& now) const {
+  if (sample.status == SampleStatus::invalid) return sample.message;
+  const ros::Time before = sample.status == SampleStatus::partial ? ros::Time() : age_.stamp();
+  return fault_of_stamp(stamp, before, now, age_.timeout());
 }
 
 // All of the actuated joints, or some, which make a configuration with what came before.

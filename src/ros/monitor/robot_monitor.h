@@ -120,8 +120,7 @@ class RobotMonitor {
 
  private:
   MonitorUpdate pass_over(bool new_names);
-  std::optional<MonitorUpdate> contest(const std::string& publisher, const JointSample& sample,
-                                       const ros::Time& stamp, const ros::Time& now);
+  std::string fault_of(const JointSample& sample, const ros::Time& stamp, const ros::Time& now) const;
   MonitorUpdate take(const JointSample& sample, const ros::Time& stamp, const ros::Time& now);
   MonitorUpdate refuse(std::uint8_t code, const std::string& message, const ros::Time& stamp,
                        const ros::Time& now);

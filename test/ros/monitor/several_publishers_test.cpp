@@ -5,14 +5,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <random>
 #include <string>
+#include <vector>
 
 namespace parallel_aspects {
 namespace {
 
 using test::RobotMonitorTest;
+using test::start_at_pose;
 using test::timeout;
 
 class SeveralPublishers : public RobotMonitorTest {};
@@ -78,6 +83,121 @@ TEST_F(SeveralPublishers, TheLastOfTwoPublishersIsNotStale) {
     ASSERT_FALSE(expire(1.05 + 0.1 * i)) << i;
   }
   EXPECT_EQ(state->status.code, Status::AMBIGUOUS) << "nobody knows how it moved meanwhile";
+}
+
+// Of two that publish all joints and never pause for the timeout, by an account of its own: every message
+// with its time of arrival.
+class TwoPublishers : public SeveralPublishers {
+ protected:
+  static constexpr double alive = 0.1;  // [s]
+  struct Arrival {
+    double time;
+    bool second;
+  };
+  struct Counts {
+    int believed = 0, wrongly = 0, missed = 0;
+  };
+
+  static NodeOptions trusting() {
+    NodeOptions options = start_at_pose(4.5, 8.0);
+    options.joint_states_timeout = alive;
+    options.tracking.samples.longest_interval = std::numeric_limits<double>::infinity();
+    options.tracking.samples.check_velocity = false;
+    return options;
+  }
+
+  // Arrivals of one of them between two times, each off its time by some of the period.
+  void add(bool second, double period, double from, double until, std::vector<Arrival>& arrivals) {
+    std::uniform_real_distribution<double> jitter(0.0, 0.3 * period);
+    for (double time = from; time < until; time += period)
+      arrivals.push_back({time + jitter(random_), second});
+  }
+
+  // Whether each is believed as long as the other one has been silent, and no longer.
+  Counts play(std::vector<Arrival> arrivals, double offset) {
+    std::sort(arrivals.begin(), arrivals.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+    RobotMonitor monitor(mechanism_, trusting());
+    Counts counts;
+    ros::Time came[2];
+    double looked = 0.0;
+    for (const Arrival& arrival : arrivals) {
+      for (; looked < arrival.time; looked += alive / 4.0)
+        monitor.expire(at(looked), ros::SteadyTime(100.0 + looked));
+      sensor_msgs::JointState message = joints_;
+      message.header.stamp = at(arrival.time);
+      if (arrival.second) message.position[0] += offset;
+      monitor.beat(ros::SteadyTime(100.0 + arrival.time));
+      const auto update = monitor.update(message, at(arrival.time), arrival.second ? "/second" : "/first");
+      const bool believed = update.tracked.has_value() || (update.state && is_sample(update.state->status));
+      const ros::Time other = came[!arrival.second];
+      const bool both_speak = !other.isZero() && at(arrival.time) - other <= ros::Duration(alive);
+      came[arrival.second] = at(arrival.time);
+      counts.believed += believed;
+      counts.wrongly += believed && both_speak;
+      counts.missed += !both_speak && !believed;
+    }
+    return counts;
+  }
+
+  // What becomes of a sample that was taken.
+  static bool is_sample(const Status& status) {
+    return status.code == Status::OK || status.code == Status::AMBIGUOUS;
+  }
+
+  sensor_msgs::JointState joints_ = joint_values(4.5, 8.0, {1, -1}, 0.0);
+  std::mt19937 random_{20261128};
+};
+
+TEST_F(TwoPublishers, NoneIsBelievedWhileBothSpeakWhateverTheirRates) {
+  const std::vector<double> rates{14.0, 30.0, 100.0, 200.0, 500.0};
+  for (const double first : rates)
+    for (const double second : rates) {
+      if (first == second && first != 100.0 && first != 500.0) continue;
+      for (int phase = 0; phase < 10; ++phase)
+        for (const double offset : {0.0, 0.3, 1e-5}) {
+          const double begin = 0.15 + 0.1 * phase / second;
+          std::vector<Arrival> arrivals;
+          add(false, 1.0 / first, 0.05, 0.5, arrivals);
+          add(true, 1.0 / second, begin, 0.8, arrivals);
+          const Counts counts = play(arrivals, offset);
+          ASSERT_EQ(counts.wrongly, 0)
+              << first << " and " << second << " Hz from " << begin << ", off by " << offset;
+          ASSERT_EQ(counts.missed, 0)
+              << first << " and " << second << " Hz from " << begin << ", off by " << offset;
+          ASSERT_GT(counts.believed, 0) << "the first before, and the second after it has ended";
+        }
+    }
+}
+
+// The second is silent for just less than the timeout, or just more, by turns.
+TEST_F(TwoPublishers, NoneIsBelievedWhileSilencesEndJustInTime) {
+  for (const double less : {1e-6, 1e-3, 0.01}) {
+    std::vector<Arrival> arrivals;
+    add(false, 0.002, 0.05, 2.0, arrivals);
+    double time = 0.2;
+    for (int i = 0; time < 2.0; ++i) {
+      arrivals.push_back({time, true});
+      time += i % 2 == 0 ? alive - less : alive + less;
+    }
+    const Counts counts = play(arrivals, 0.3);
+    EXPECT_EQ(counts.wrongly, 0) << less;
+    EXPECT_EQ(counts.missed, 0) << less;
+  }
+}
+
+// More of them than are remembered by name.
+TEST_F(TwoPublishers, ManyOtherPublishersHideNoContest) {
+  PublisherWatch watch(ros::Duration(0.5));
+  JointSet all;
+  all.set(0).set(1);
+  std::string other;
+  int believed = 0;
+  for (int i = 0; i < 400; ++i) {
+    const std::string name = "/node_" + std::to_string(i % 40);
+    watch.count(name, static_cast<std::uint32_t>(i));
+    believed += watch.claim(name, all, at(1.0 + 0.01 * i), other) == Claim::sole;
+  }
+  EXPECT_EQ(believed, 1) << "the first of all";
 }
 
 // One publisher for each joint, each half a period after the other.
