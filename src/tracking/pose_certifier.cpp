@@ -192,6 +192,18 @@ double PoseCertifier::path_speed(const CertifiedPoint& point, const TaskVector& 
   return std::sqrt(squared);
 }
 
+Eigen::Index PoseCertifier::widest(const CertifiedPoint& point, const TaskVector& allowance) const noexcept {
+  TaskVector motion(allowance.size());
+  for (std::size_t j = 0; j < size_; ++j) {
+    LegBounds entry{};
+    entry[j] = magnitude(point.inverse_diagonal[j]) + lever_[j] * point.rod[j] * legs_[j].point_speed();
+    motion[static_cast<Eigen::Index>(j)] = spread(point, entry) * allowance[static_cast<Eigen::Index>(j)];
+  }
+  Eigen::Index widest = 0;
+  motion.maxCoeff(&widest);
+  return widest;
+}
+
 CertifiedBall PoseCertifier::ball(const CertifiedPoint& point) const noexcept {
   const TaskVector still = TaskVector::Zero(static_cast<Eigen::Index>(size_));
   return ball(point, still, still, 0.0, 0.0, 0.0);

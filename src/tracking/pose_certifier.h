@@ -67,6 +67,9 @@ class PoseCertifier {
   /// At least |C B direction|: how far the platform goes on the path, to first order [m].
   double path_speed(const CertifiedPoint& point, const TaskVector& direction) const noexcept;
 
+  /// The actuated joint that, off by its `allowance` [rad or m], moves the platform most, about.
+  Eigen::Index widest(const CertifiedPoint& point, const TaskVector& allowance) const noexcept;
+
   /// At least how far the platform is from the pose where each actuated joint is off by `allowance` at most
   /// [m, RMS over the anchors]; infinite where that is not proved.
   double anchor_spread(const CertifiedPoint& point, const TaskVector& allowance) const noexcept;

@@ -11,6 +11,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr int max_root_steps = 4;
+constexpr int max_steps_to_resume = 4096;
 
 int sign_of(double value) { return (value > 0.0) - (value < 0.0); }
 
@@ -25,6 +26,10 @@ bool proved_mode(const CertifiedPoint& point, WorkingMode& mode) {
     mode.set_sign(j, sign);
   }
   return true;
+}
+
+double time_between(double start, double end, double share) {
+  return share >= 1.0 ? end : start + (end - start) * share;
 }
 
 Ambiguity ambiguity_of(SampleGap gap) {
@@ -98,6 +103,7 @@ bool TrackerCore::start(double time, const JointVector& q, int determinant_sign,
 
 bool TrackerCore::find_candidates() {
   if (!wants_candidates()) return state_.followed();
+  if (resume()) return true;
   const bool first = state_.status == TrackStatus::uninitialised;
   candidates_.find(*manipulator_, certifier_, state_.q);
   if (!uncertainty_.isZero(0.0)) candidates_.mark_incomplete();
@@ -106,6 +112,28 @@ bool TrackerCore::find_candidates() {
   else if (first || state_.ambiguity == Ambiguity::no_direct_solution)
     become_ambiguous(Ambiguity::several_assembly_modes);
   return settle();
+}
+
+// What the actuated joints can have done since it was lost either keeps to the direct solution or does not:
+// more samples make that no smaller, so that it is tried once. The straight path then leads to the pose.
+bool TrackerCore::resume() noexcept {
+  const bool kept = reach_.keeps_to(certifier_, point_);
+  reach_.forget();
+  if (!kept) return false;
+  Continuation path(certifier_, point_, state_.q);
+  if (Continuation(path).run(max_steps_to_resume) != ContinuationStatus::finished) return false;
+  Transition transition = from_here(TransitionKind::found, state_.time);
+  transition.ambiguity = state_.ambiguity;
+  transition.determinant_sign_before = 0;
+  add(transition);
+  state_.status = TrackStatus::tracking;
+  state_.ambiguity = Ambiguity::none;
+  candidates_.clear();
+  advance(path, state_.time, state_.time, max_steps_to_resume);
+  state_.pose = point_.pose;
+  state_.spread = spread();
+  identify_aspect();
+  return true;
 }
 
 bool TrackerCore::wants_candidates() const noexcept {
@@ -142,6 +170,7 @@ bool TrackerCore::begin_at(double time, const CertifiedPoint& point, int determi
   entry_sines_ = certifier_.entry_sines(point);
   zero_times_.fill(time);
   candidates_.clear();
+  reach_.forget();
   set_reference();
   identify_aspect();
   return true;
@@ -159,6 +188,7 @@ void TrackerCore::clear() noexcept {
   state_.aspect = 0;
   state_.q.resize(0);
   bend_.forget();
+  reach_.forget();
   candidates_.clear();
   transitions_ = {};
 }
@@ -188,6 +218,9 @@ const TrackedState& TrackerCore::update(double time, const JointVector& q,
     follow(time, joint_values, bend);
   else
     follow_candidates(joint_values, bend, gap);
+  if (!first && !state_.followed())
+    reach_.add(*manipulator_, options_.samples,
+               {state_.q, joint_values, seconds, gap, bend, last_uncertainty.cwiseMax(uncertainty_)});
   state_.time = time;
   state_.q = joint_values;
   state_.spread = spread();
@@ -199,20 +232,22 @@ const TrackedState& TrackerCore::update(double time, const JointVector& q,
 void TrackerCore::follow(double time, const JointVector& q, const JointVector& bend) noexcept {
   Continuation path(certifier_, point_, q, bend);
   const double start = state_.time;
-  const auto time_at = [&](double share) { return share >= 1.0 ? time : start + (time - start) * share; };
-  for (int i = 0; i < options_.max_steps && path.status() == ContinuationStatus::unfinished; ++i) {
+  advance(path, start, time, options_.max_steps);
+  if (path.status() == ContinuationStatus::finished) return watch_assembly(time);
+  lose(time_between(start, time, path.share()), path.status() == ContinuationStatus::unfinished
+                                                    ? Ambiguity::step_budget
+                                                    : Ambiguity::near_parallel_singularity);
+}
+
+// The path takes from one time to another.
+void TrackerCore::advance(Continuation& path, double start, double end, int max_steps) noexcept {
+  for (int i = 0; i < max_steps && path.status() == ContinuationStatus::unfinished; ++i) {
     const double before = path.share();
     if (path.advance() == ContinuationStatus::too_near_singular) break;
-    watch_legs(point_, path.at(), time_at(before), time_at(path.share()));
+    watch_legs(point_, path.at(), time_between(start, end, before), time_between(start, end, path.share()));
     point_ = path.at();
   }
   state_.pose = point_.pose;
-  if (path.status() == ContinuationStatus::too_near_singular)
-    lose(time_at(path.share()), Ambiguity::near_parallel_singularity);
-  else if (path.status() == ContinuationStatus::unfinished)
-    lose(time_at(path.share()), Ambiguity::step_budget);
-  else
-    watch_assembly(time);
 }
 
 void TrackerCore::follow_candidates(const JointVector& q, const JointVector& bend, SampleGap gap) noexcept {
@@ -336,6 +371,8 @@ void TrackerCore::lose(double time, Ambiguity why) noexcept {
   transition.determinant_sign_after = 0;
   transition.aspect_after = 0;
   candidates_.clear();
+  // Where measured passive joints contradict the pose, it is none to go on from.
+  if (state_.status == TrackStatus::tracking) reach_.begin();
   become_ambiguous(why);
   add(transition);
 }

@@ -6,6 +6,7 @@
 #include "parallel_aspects/tracking/tracker.h"
 #include "tracking/assembly_watch.h"
 #include "tracking/candidates.h"
+#include "tracking/joint_reach.h"
 
 #include <array>
 #include <cstddef>
@@ -41,7 +42,9 @@ class TrackerCore {
   void clear() noexcept;
   bool begin_at(double time, const CertifiedPoint& point, int determinant_sign) noexcept;
   bool settle() noexcept;
+  bool resume() noexcept;
   void follow(double time, const JointVector& q, const JointVector& bend) noexcept;
+  void advance(Continuation& path, double start, double end, int max_steps) noexcept;
   void follow_candidates(const JointVector& q, const JointVector& bend, SampleGap gap) noexcept;
   void watch_legs(const CertifiedPoint& from, const CertifiedPoint& to, double start, double end) noexcept;
   double zero_time(const CertifiedPoint& from, const CertifiedPoint& to, std::size_t leg, double start,
@@ -66,6 +69,7 @@ class TrackerCore {
   CertifiedPoint point_;    // of the last sample, while followed
   TaskVector entry_sines_;  // there
   Candidates candidates_;   // while ambiguous
+  JointReach reach_;        // since `point_`, until that was tried once
   PathBend bend_;
   JointVector uncertainty_;  // of the last sample
   SampleIntervals intervals_;

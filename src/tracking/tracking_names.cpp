@@ -59,6 +59,8 @@ const char* name(TransitionKind kind) noexcept {
       return "lost";
     case TransitionKind::assembly_mode:
       return "assembly mode";
+    case TransitionKind::found:
+      return "found";
   }
   return "unknown";
 }

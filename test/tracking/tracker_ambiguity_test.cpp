@@ -154,7 +154,8 @@ TEST(AmbiguousTracker, TransitionsAreTakenOnce) {
   tracker.update(1.0, q);
   EXPECT_EQ(tracker.take_transitions().count, 1U);
   EXPECT_TRUE(tracker.take_transitions().empty());
-  tracker.find_candidates();
+  ASSERT_TRUE(tracker.find_candidates());
+  EXPECT_EQ(tracker.take_transitions().count, 1U) << "its velocity limits say that it is the same";
   EXPECT_TRUE(tracker.take_transitions().empty());
 }
 

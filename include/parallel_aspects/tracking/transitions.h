@@ -16,9 +16,11 @@ enum class TransitionKind {
   lost,  ///< the assembly mode is not known from here on; `determinant` where det A came too near zero
   assembly_mode,  ///< the actuated joints are back where they were at the reference, the platform at another
                   ///< direct solution, and det A never vanished in between
+  found,          ///< it was lost, and is proved to be the same: wherever the actuated joints can have been
+                  ///< meanwhile, they tell the pose
 };
 
-/// "working mode", "aspect", "lost" or "assembly mode".
+/// "working mode", "aspect", "lost", "assembly mode" or "found".
 const char* name(TransitionKind kind) noexcept;
 
 /// Why the assembly mode is not known.
@@ -45,7 +47,7 @@ struct Transition {
   double time = 0.0;                      ///< of the crossing, interpolated between two samples [s]
   std::size_t leg = 0;                    ///< whose B_jj crossed zero, for a change of working mode
   bool determinant = false;               ///< whether det A lost its sign, or has another one than before
-  Ambiguity ambiguity = Ambiguity::none;  ///< of a loss: why
+  Ambiguity ambiguity = Ambiguity::none;  ///< of a loss, and where it is made good: why it was lost
   bool inside_aspect = false;  ///< for a change of assembly mode: no working mode has changed either since
                                ///< the reference, so that both solutions are in one aspect
   bool first_again = false;  ///< for a change of assembly mode: the platform is at the direct solution again

@@ -88,6 +88,8 @@ std::uint8_t kind_of(TransitionKind kind) {
       return AspectTransition::ASPECT;
     case TransitionKind::assembly_mode:
       return AspectTransition::ASSEMBLY_MODE;
+    case TransitionKind::found:
+      return AspectTransition::FOUND;
     case TransitionKind::lost:
       break;
   }
@@ -103,6 +105,10 @@ std::string cause_of(const AspectTransition& t, const Transition& transition, bo
       return "B_" + number + number + " of " + t.leg + " (" + t.joint + ") crossed zero";
     case AspectTransition::LOST:
       return reason(transition.ambiguity);
+    case AspectTransition::FOUND:
+      return std::string("the assembly mode was not known, as ") + reason(transition.ambiguity) +
+             "; it is proved to be the same, the only one wherever the actuated joints can have been "
+             "meanwhile";
     case AspectTransition::ASSEMBLY_MODE:
       return t.first_assembly_mode
                  ? "the actuated joints are back, and the platform is in its first assembly mode again"
