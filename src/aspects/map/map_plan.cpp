@@ -4,6 +4,7 @@
 #include "aspects/tree/held_joint_space.h"
 #include "aspects/tree/pose_tree.h"
 #include "aspects/tree/slice_space.h"
+#include "model/number_text.h"
 #include "model/task_space_traits.h"
 
 #include <algorithm>
@@ -176,7 +177,9 @@ std::string make_map_plan(const Manipulator& manipulator, const MapOptions& opti
     plan.symmetries = find_map_symmetries(manipulator, plan.space->region(), plan.modes);
   const auto is_fine = [&] { return is_fine_enough(plan, options, resolution, plan.depth); };
   while (!is_fine() && plan.depth < PoseTree::deepest_level) ++plan.depth;
-  if (!is_fine()) return "The resolution is too fine for the size of the region; give a coarser one.";
+  if (!is_fine())
+    return "The resolution is too fine for the size of the region, where no box has edges below " +
+           number_text(longest_edge(plan, plan.depth), 3) + "; give a coarser one, or leave it out.";
   plan.resolution = longest_edge(plan, plan.depth);
   plan.complete = options.complete;
   plan.deepest_level =

@@ -43,6 +43,19 @@ AspectServer::~AspectServer() {
   spinner_.stop();
 }
 
+// Names of topics and services are free again only once the robot before is gone. Where the new one cannot be
+// served after all, that one is served anew.
+void AspectServer::replace_robot(NodeSetup setup) {
+  const NodeSetup before = robot_->setup();
+  robot_.reset();
+  try {
+    robot_ = std::make_unique<RobotServer>(nh_, private_nh_, std::move(setup));
+  } catch (const std::exception& failure) {
+    robot_ = std::make_unique<RobotServer>(nh_, private_nh_, before);
+    throw InvalidDescription({std::string("The robot cannot be served: ") + failure.what()});
+  }
+}
+
 Reload::Response AspectServer::reload() {
   Reload::Response response;
   if (read_only_) {
@@ -50,9 +63,7 @@ Reload::Response AspectServer::reload() {
     return response;
   }
   try {
-    NodeSetup setup = load_setup(nh_, private_nh_);
-    robot_.reset();  // names of topics and services are free again
-    robot_ = std::make_unique<RobotServer>(nh_, private_nh_, std::move(setup));
+    replace_robot(load_setup(nh_, private_nh_));
     ROS_INFO("robot_description and the parameters were loaded anew.");
   } catch (const InvalidDescription& invalid) {
     response.problems.assign(invalid.problems().begin(), invalid.problems().end());

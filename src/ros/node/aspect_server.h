@@ -32,6 +32,7 @@ class AspectServer {
   AspectServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh, NodeSetup setup);
 
   Reload::Response reload();
+  void replace_robot(NodeSetup setup);
 
   // Of `reload`, which takes the robot's queues down, and of calls of the master, which may block.
   GuardedQueue queue_;

@@ -6,6 +6,7 @@
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/model/anchor_distance.h"
 #include "ros/joint_states/joint_sample.h"
+#include "urdf/description/nearest_name.h"
 
 #include <algorithm>
 #include <array>
@@ -101,10 +102,11 @@ JointVector values_of(const Manipulator& manipulator, const std::vector<std::str
 
 /// As the command has it: what is not an actuated joint is not followed.
 std::string unknown_joint(const Manipulator& manipulator, const std::vector<std::string>& names) {
+  std::vector<std::string> actuated;
+  for (const Leg& leg : manipulator.legs()) actuated.push_back(leg.actuated_joint);
   for (const std::string& name : names)
-    if (std::none_of(manipulator.legs().begin(), manipulator.legs().end(),
-                     [&name](const Leg& leg) { return leg.actuated_joint == name; }))
-      return "The trajectory has the unknown joint '" + name + "'; name the actuated joints only.";
+    if (!contains(actuated, name))
+      return "The trajectory has the unknown joint '" + name + "'" + suggestion(name, actuated, {});
   return "";
 }
 

@@ -4,6 +4,7 @@
 #include "ros/messages/hazard_messages.h"
 #include "ros/messages/tables.h"
 #include "ros/monitor/threshold_offer.h"
+#include "urdf/description/nearest_name.h"
 
 #include <ros/console.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
@@ -200,10 +201,19 @@ TurnedTwist RobotServer::turned(const geometry_msgs::TwistStamped& command) cons
     return turned_twist(command.twist, Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix());
   } catch (const std::runtime_error& failure) {
     TurnedTwist unknown;
-    unknown.fault =
-        "tf does not connect " + shortened(frame) + " with " + base + ": " + shortened(failure.what());
+    unknown.fault = no_transform(frame, failure);
     return unknown;
   }
+}
+
+std::string RobotServer::no_transform(const std::string& frame, const std::exception& failure) const {
+  const std::string& base = setup_.mechanism->manipulator()->base_frame();
+  std::vector<std::string> frames{base};
+  tf_._getFrameStrings(frames);
+  const bool known = contains(frames, frame);
+  const std::string meant = known ? "" : similar_name(frame, frames);
+  return "tf does not connect " + shortened(frame) + " with " + base + ": " +
+         (meant.empty() ? shortened(failure.what()) : "it does not know it; did you mean '" + meant + "'?");
 }
 
 void RobotServer::accept_reconfiguration() {
@@ -416,8 +426,7 @@ std::optional<geometry_msgs::Pose> RobotServer::to_base(const geometry_msgs::Pos
   try {
     return tf_.transform(given, base, ros::Duration(setup_.options.tf_timeout)).pose;
   } catch (const std::runtime_error& failure) {  // of tf2, or of a time that no clock has
-    message = "tf does not connect " + shortened(given.header.frame_id) + " with " + base + ": " +
-              shortened(failure.what());
+    message = no_transform(given.header.frame_id, failure);
     return std::nullopt;
   }
 }

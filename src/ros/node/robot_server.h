@@ -52,6 +52,9 @@ class RobotServer {
   RobotServer(const RobotServer&) = delete;
   RobotServer& operator=(const RobotServer&) = delete;
 
+  /// What this robot was made of.
+  const NodeSetup& setup() const { return setup_; }
+
  private:
   using Transforms = ros::MessageEvent<const tf2_msgs::TFMessage>;
   using ComputeMapServer = actionlib::SimpleActionServer<ComputeMapAction>;
@@ -69,6 +72,7 @@ class RobotServer {
   void on_velocity_command(const geometry_msgs::TwistStamped& command);
   void publish_guarded(const GuardedCommand& command);
   TurnedTwist turned(const geometry_msgs::TwistStamped& command) const;
+  std::string no_transform(const std::string& frame, const std::exception& failure) const;
   void publish_robot(const TrackedState& tracked, const ros::Time& stamp);
   void on_tf(const Transforms& event);
   void on_tf_static(const Transforms& event);

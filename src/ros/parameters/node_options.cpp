@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/parameters/node_options.h"
 
+#include "aspects/map/map_plan.h"
+#include "model/number_text.h"
+#include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/model/constraints.h"
 
 #include <cmath>
@@ -24,6 +27,7 @@ class Checks {
     if (!holds) problems_.push_back("Parameter " + prefix_ + key + " " + message);
   }
 
+  bool empty() const { return problems_.empty(); }
   Problems take() { return std::move(problems_); }
 
  private:
@@ -31,7 +35,9 @@ class Checks {
   Problems problems_;
 };
 
-void check_map(const MapOptions& map, TaskSpace space, Checks& checks, const std::string& group) {
+void check_map(const MapOptions& map, const Manipulator& manipulator, Checks& checks,
+               const std::string& group) {
+  const TaskSpace space = manipulator.task_space();
   checks.require(
       !map.complete || space != TaskSpace::SE3, group + "complete",
       "is for maps; with six degrees of freedom there is a roadmap in place of one, so leave it out.");
@@ -52,7 +58,45 @@ void check_map(const MapOptions& map, TaskSpace space, Checks& checks, const std
                        std::to_string(i + 1) + " is not.");
 }
 
-void check_start(const StartOptions& start, TaskSpace space, Checks& checks) {
+// A resolution that is too fine shows in the plan of the map alone. Where there is no map without it either,
+// the node does without one.
+void check_resolution(const MapOptions& map, const Manipulator& manipulator, Checks& checks,
+                      const std::string& group) {
+  if (!map.resolution || !checks.empty() || manipulator.task_space() == TaskSpace::SE3) return;
+  MapOptions as_default = map;
+  as_default.resolution.reset();
+  MapPlan plan, default_plan;
+  const std::string problem = make_map_plan(manipulator, map, plan);
+  const bool too_fine = !problem.empty() && make_map_plan(manipulator, as_default, default_plan).empty();
+  checks.require(!too_fine, group + "resolution", "gives no map: " + problem);
+}
+
+// How far the anchor of a leg that stands at `point` must be moved at least for the leg to reach it [m].
+double lack_of_reach(const Leg& leg, const Eigen::Vector3d& point) {
+  if (squared_inverse_entry(leg, point) >= 0.0) return 0.0;
+  const double q = joint_value(leg, point, 0);
+  return std::abs((point - leg.proximal_point(q)).norm() - std::sqrt(leg.squared_distance(q)));
+}
+
+// A direct solution within the tolerance needs every anchor where its leg reaches it.
+void check_reach(const Pose& pose, double tolerance, const Manipulator& manipulator, Checks& checks) {
+  double squared = 0.0, most = 0.0;
+  std::string farthest;
+  for (const Leg& leg : manipulator.legs()) {
+    const double lack = lack_of_reach(leg, pose.transform(leg.anchor));
+    squared += lack * lack;
+    if (lack > most) farthest = leg.name;
+    most = std::max(most, lack);
+  }
+  const double least = std::sqrt(squared / static_cast<double>(manipulator.leg_count()));
+  checks.require(!(least > tolerance), "start/pose",
+                 "cannot be reached, nor any pose within start/tolerance, " + number_text(tolerance) +
+                     " m: to where " + farthest + " can reach its anchor is " + number_text(most) +
+                     " m away; state where the robot is.");
+}
+
+void check_start(const StartOptions& start, const Manipulator& manipulator, Checks& checks) {
+  const TaskSpace space = manipulator.task_space();
   checks.require(!(start.pose && start.determinant_sign), "start",
                  "has both pose and determinant_sign; keep the one that is known.");
   checks.require(!start.tolerance || positive(*start.tolerance), "start/tolerance",
@@ -66,18 +110,18 @@ void check_start(const StartOptions& start, TaskSpace space, Checks& checks) {
           : PoseCoordinates();
   std::string names;
   for (const std::string& name : coordinate_names(space)) names += (names.empty() ? "" : ", ") + name;
-  checks.require(pose_from_coordinates(space, coordinates).has_value(), "start/pose",
-                 "must be a list of finite numbers [" + names + "].");
+  const auto pose = pose_from_coordinates(space, coordinates);
+  checks.require(pose.has_value(), "start/pose", "must be a list of finite numbers [" + names + "].");
+  const double tolerance = start.tolerance.value_or(manipulator.size() / 20.0);
+  if (pose && positive(tolerance)) check_reach(*pose, tolerance, manipulator, checks);
 }
 
 bool within(double value, double lowest, double highest) { return value >= lowest && value <= highest; }
 
 void check_thresholds(const ThresholdParameters& given, const std::string& group, Checks& checks) {
   const auto check = [&](const std::string& key, double warn, double stop) {
-    checks.require(within(warn, 0.0, 1e6), group + key + "_warn",
-                   "must be 0 (none) or a positive number [m].");
-    checks.require(within(stop, 0.0, 1e6), group + key + "_stop",
-                   "must be 0 (none) or a positive number [m].");
+    checks.require(within(warn, 0.0, 1e6), group + key + "_warn", "must be 0 (none) to 1000000 [m].");
+    checks.require(within(stop, 0.0, 1e6), group + key + "_stop", "must be 0 (none) to 1000000 [m].");
     checks.require(!(warn > 0.0 && stop > warn), group + key + "_stop",
                    "must not be above " + key + "_warn, as the robot would stop before it is warned.");
   };
@@ -96,14 +140,15 @@ void check_guard(const GuardParameters& guard, TaskSpace space, Checks& checks) 
   const std::vector<double>& point = guard.reference_point;
   checks.require(point.size() == 3 && within(point[0], -1e6, 1e6) && within(point[1], -1e6, 1e6) &&
                      within(point[2], -1e6, 1e6),
-                 "guard/reference_point", "must be a list of three numbers, in the platform frame [m].");
+                 "guard/reference_point",
+                 "must be a list of three numbers of -1000000 to 1000000, in the platform frame [m].");
   if (!guard.enabled) return;
   checks.require(!has_translation(space) || within(guard.linear_deceleration, 1e-6, 1e6),
                  "guard/linear_deceleration",
-                 "must be a positive number [m/s^2]: what the platform brakes with, at least.");
+                 "must be 0.000001 to 1000000 [m/s^2]: what the platform brakes with, at least.");
   checks.require(!has_rotation(space) || within(guard.angular_deceleration, 1e-6, 1e6),
                  "guard/angular_deceleration",
-                 "must be a positive number [rad/s^2]: what the platform brakes with, at least.");
+                 "must be 0.000001 to 1000000 [rad/s^2]: what the platform brakes with, at least.");
 }
 
 void check_tracking(const TrackerOptions& tracking, const PassiveOptions& passive, Checks& checks) {
@@ -141,16 +186,18 @@ Problems problems_of(const ThresholdParameters& thresholds, const std::string& p
 
 Problems problems_of(const MapOptions& options, const Manipulator& manipulator, const std::string& prefix) {
   Checks checks(prefix);
-  check_map(options, manipulator.task_space(), checks, "");
+  check_map(options, manipulator, checks, "");
+  check_resolution(options, manipulator, checks, "");
   return checks.take();
 }
 
 Problems problems_of(const NodeOptions& options, const Manipulator& manipulator, const std::string& prefix) {
   Checks checks(prefix);
-  check_map(options.map, manipulator.task_space(), checks, "map/");
+  check_map(options.map, manipulator, checks, "map/");
+  check_resolution(options.map, manipulator, checks, "map/");
   checks.require(options.map_file.empty() || options.map_file.front() == '/', "map/file",
                  "must be an absolute path, or empty for none.");
-  check_start(options.start, manipulator.task_space(), checks);
+  check_start(options.start, manipulator, checks);
   check_tracking(options.tracking, options.passive, checks);
   check_thresholds(options.thresholds, "thresholds/", checks);
   check_guard(options.guard, manipulator.task_space(), checks);

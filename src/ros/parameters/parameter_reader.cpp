@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/parameters/parameter_reader.h"
 
+#include "urdf/description/nearest_name.h"
+
 #include <utility>
 
 namespace parallel_aspects {
@@ -102,11 +104,15 @@ XmlRpcValue ParameterReader::raw(const std::string& key) {
 
 void ParameterReader::report_unknown_keys() {
   if (!values_.valid()) return;
-  for (const auto& member : values_)
-    if (known_.count(member.first) == 0)
-      problems_.push_back(
-          "Parameter " + prefix_ + member.first +
-          " is not known; correct its name or remove it (config/default.yaml lists every parameter).");
+  const std::vector<std::string> known(known_.begin(), known_.end());
+  for (const auto& member : values_) {
+    if (known_.count(member.first) != 0) continue;
+    const std::string similar = similar_name(member.first, known);
+    problems_.push_back(
+        "Parameter " + prefix_ + member.first + " is not known; " +
+        (similar.empty() ? "correct its name or remove it" : "did you mean '" + similar + "'?") +
+        " (config/default.yaml lists every parameter).");
+  }
 }
 
 }  // namespace parallel_aspects

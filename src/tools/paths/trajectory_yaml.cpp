@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/paths/trajectory_yaml.h"
 
+#include "urdf/description/nearest_name.h"
 #include "urdf/description/yaml_values.h"
 
 #include <yaml-cpp/yaml.h>
@@ -50,7 +51,9 @@ class MessageReader {
 
  private:
   void find_columns() {
+    std::vector<std::string> actuated;
     for (const Leg& leg : manipulator_.legs()) {
+      actuated.push_back(leg.actuated_joint);
       const auto found = std::find(names_.begin(), names_.end(), leg.actuated_joint);
       columns_.push_back(static_cast<std::size_t>(found - names_.begin()));
       if (std::count(names_.begin(), names_.end(), leg.actuated_joint) != 1)
@@ -59,7 +62,7 @@ class MessageReader {
     }
     for (std::size_t i = 0; i < names_.size(); ++i)
       if (std::count(columns_.begin(), columns_.end(), i) == 0)
-        values_.problem("has the unknown joint '" + names_[i] + "'; name the actuated joints only.");
+        values_.problem("has the unknown joint '" + names_[i] + "'" + suggestion(names_[i], actuated, {}));
   }
 
   JointWaypoint waypoint(const YAML::Node& point, const std::string& where) const {

@@ -166,6 +166,9 @@ TEST_F(AspectNode, TakesPosesInAnyFrameOfTf) {
 TEST_F(AspectNode, RefusesQuestionsThatMakeNoSense) {
   EXPECT_EQ(ask<GetWorkingMode>("get_working_mode", at_pose(4.5, 8.0, "nowhere")).status.code,
             Status::NO_TRANSFORM);
+  const auto misspelt_frame = ask<GetWorkingMode>("get_working_mode", at_pose(4.5, 8.0, "base_lnk"));
+  EXPECT_NE(misspelt_frame.status.message.find("did you mean 'base_link'?"), std::string::npos)
+      << misspelt_frame.status.message;
   EXPECT_EQ(ask<GetWorkingMode>("get_working_mode", at_pose(40.0, 8.0, "")).status.code, Status::NO_SOLUTION);
   EXPECT_EQ(ask<GetWorkingMode>("get_working_mode", at_pose(4.5, 8.0, "", {1, 0})).status.code,
             Status::INVALID_REQUEST);

@@ -113,6 +113,12 @@ TEST(BadDescription, AnOptionIsOutOfRange) {
                             "/range/aspect_node/joint_states_timeout must be a positive number"});
 }
 
+// Of several nodes in one terminal.
+TEST(BadDescription, EveryLineNamesItsNode) {
+  for (const char* name : {"/left", "/right"})
+    expect_refused(name, {std::string("[") + name + "/aspect_node]: "});
+}
+
 TEST(BadDescription, NothingWasAdvertised) {
   ros::master::V_TopicInfo topics;
   ASSERT_TRUE(ros::master::getTopics(topics));

@@ -152,7 +152,9 @@ TEST_F(CheckService, UnknownJointsAreNamed) {
   for (auto& point : request.trajectory.points) point.positions.push_back(0.0);
   const Response response = ask(request);
   EXPECT_EQ(response.status.code, Status::INVALID_REQUEST);
-  EXPECT_NE(response.status.message.find("unknown joint 'gripper'"), std::string::npos)
+  EXPECT_NE(
+      response.status.message.find("unknown joint 'gripper'; there are 'crank_1_joint', 'crank_2_joint'"),
+      std::string::npos)
       << response.status.message;
 }
 

@@ -19,6 +19,7 @@
 #include <cstdlib>
 #include <memory>
 #include <netinet/in.h>
+#include <std_msgs/Bool.h>
 #include <string>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -142,6 +143,35 @@ TEST_F(MasterRestart, TheNodeIsFoundAgainWithItsMapAndItsRobot) {
     EXPECT_EQ(move(), Status::OK) << states_.last()->status.message;
   }
   EXPECT_EQ(times_said("were registered again"), 2U) << "and nothing twice";
+}
+
+// Rospy does not register again, so that the example starts itself anew.
+TEST_F(MasterRestart, TheGoSignalIsFoundAgain) {
+  const char* before = std::getenv("PYTHONPATH");
+  setenv("PYTHONPATH", (std::string(PARALLEL_ASPECTS_PYTHON ":") + (before != nullptr ? before : "")).c_str(),
+         1);
+  test::Process signal(PARALLEL_ASPECTS_SOURCE_DIR "/example/go_signal.py", "/",
+                       {"__name:=go_signal", "state:=" + node + "/state", "_silence:=1.0"});
+  const auto says = [&](const Recorder<std_msgs::Bool>& signals, bool go) {
+    return eventually([&] {
+      if (go) move();
+      return signals.last() && static_cast<bool>(signals.last()->data) == go;
+    });
+  };
+  {
+    const Recorder<std_msgs::Bool> signals("/go_signal/go");
+    ASSERT_TRUE(says(signals, true));
+  }
+  ASSERT_TRUE(master().end());
+  ASSERT_TRUE(master().start());
+  ASSERT_TRUE(eventually([&] { return times_said("were registered again") == 1; }));
+  const Recorder<std_msgs::Bool> late("/go_signal/go");
+  EXPECT_TRUE(eventually([&] { return late.connected(); })) << "looked up at the new master";
+  EXPECT_TRUE(says(late, true));
+  double silence = 0.0;
+  EXPECT_TRUE(ros::param::get("/go_signal/silence", silence));
+  EXPECT_EQ(silence, 1.0) << "as it was started";
+  EXPECT_FALSE(signal.has_ended());
 }
 
 }  // namespace

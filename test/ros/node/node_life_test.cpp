@@ -62,6 +62,18 @@ TEST_F(NodeLife, ReloadsARobot) {
   EXPECT_EQ(aspects_known(), 10U);
 }
 
+// Before the robot that is there is given up.
+TEST_F(NodeLife, RefusesToReloadAStartThatCannotBeReached) {
+  start();
+  EXPECT_EQ(move_to(start_).status.code, Status::OK);
+  set("start/pose", std::vector<double>{40.0, 8.0});
+  const auto response = call<Reload>("reload");
+  EXPECT_EQ(response.status.code, Status::FAILED);
+  ASSERT_EQ(response.problems.size(), 1U);
+  EXPECT_NE(response.problems.front().find("start/pose cannot be reached"), std::string::npos);
+  EXPECT_EQ(move_to(test::pose_at(4.5, 8.01)).status.code, Status::OK);
+}
+
 TEST_F(NodeLife, RefusesToReloadGarbageAndGoesOn) {
   start();
   EXPECT_EQ(move_to(start_).status.code, Status::OK);

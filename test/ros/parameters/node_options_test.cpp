@@ -125,7 +125,8 @@ TEST(OptionsFrom, ReportsEveryWrongTypeAndUnknownKeyAtOnce) {
        {"/node/map/resolution must be a number", "/node/map/resolutoin is not known",
         "/node/map/threads must be", "/node/start must hold parameters of its own",
         "/node/display/gallery must be true or false", "/node/display/rate must be a number",
-        "/node/frame_prefix must be text", "/node/colour is not known"})
+        "/node/frame_prefix must be text", "/node/colour is not known; correct its name",
+        "/node/map/resolutoin is not known; did you mean 'resolution'?"})
     EXPECT_TRUE(mention(problems, words)) << words;
   EXPECT_EQ(problems.size(), 8U);
 }
@@ -176,6 +177,44 @@ TEST(ProblemsOf, ATimeoutThatMakesNoSenseIsTheOnlyCulprit) {
     ASSERT_EQ(problems.size(), 1U) << timeout;
     EXPECT_TRUE(mention(problems, "/node/joint_states_timeout must be")) << problems.front();
   }
+}
+
+TEST(ProblemsOf, AResolutionThatIsTooFineIsRefusedWithItsLimit) {
+  NodeOptions options;
+  options.map.resolution = 1e-9;
+  const Problems problems = problems_of(options, *test::five_bar(), "/node/");
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_TRUE(mention(problems, "/node/map/resolution gives no map: The resolution is too fine"));
+  EXPECT_TRUE(mention(problems, "no box has edges below 1e-07")) << problems.front();
+  options.map.resolution = 0.01;
+  EXPECT_TRUE(problems_of(options, *test::five_bar(), "/node/").empty());
+}
+
+TEST(ProblemsOf, AStartPoseBeyondReachIsRefused) {
+  NodeOptions options;
+  options.start.pose = std::vector<double>{40.0, 8.0};
+  const Problems problems = problems_of(options, *test::five_bar(), "/node/");
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_TRUE(mention(problems, "/node/start/pose cannot be reached")) << problems.front();
+  EXPECT_TRUE(mention(problems, "leg")) << problems.front();
+  options.start.tolerance = 100.0;
+  EXPECT_TRUE(problems_of(options, *test::five_bar(), "/node/").empty()) << "the robot may be elsewhere";
+  options.start.tolerance.reset();
+  options.start.pose = std::vector<double>{4.5, -8.0};
+  EXPECT_TRUE(problems_of(options, *test::five_bar(), "/node/").empty());
+}
+
+// Each value that is beyond its range by far, and what the message says of the range.
+TEST(ProblemsOf, NamesTheLimitThatANumberIsBeyond) {
+  NodeOptions options;
+  options.thresholds.parallel_warn = options.thresholds.parallel_stop = 1e300;
+  options.guard.enabled = true;
+  options.guard.linear_deceleration = 1e300;
+  options.guard.reference_point = {1e300, 0.0, 0.0};
+  const Problems problems = problems_of(options, *test::five_bar(), "/node/");
+  EXPECT_EQ(problems.size(), 4U);
+  for (const std::string& problem : problems)
+    EXPECT_NE(problem.find("to 1000000"), std::string::npos) << problem;
 }
 
 TEST(ProblemsOf, RefusesARegionOfTheWrongDimension) {
