@@ -41,9 +41,20 @@ json json_result(const std::string& status, const SetupResult& result) {
           {"cut_short", result.cut_short}};
 }
 
-std::string next_command(const std::string& urdf_file, const std::string& written) {
-  if (written.empty()) return "aspects setup " + shell_word(urdf_file);
-  return "aspects map --urdf " + shell_word(urdf_file) + " --config " + shell_word(written);
+std::string next_command(const std::string& urdf_file, const std::string& config) {
+  if (config.empty()) return "aspects setup " + shell_word(urdf_file);
+  return "aspects map --urdf " + shell_word(urdf_file) + " --config " + shell_word(config);
+}
+
+// As each can be pasted.
+std::string next_text(const std::string& urdf_file, const SetupFiles& written) {
+  const std::string command = "  " + next_command(urdf_file, written.config) + "\n";
+  if (written.config.empty()) return "Nothing is written. Next:\n" + command;
+  const std::string launch = "  roslaunch " + shell_word(written.launch);
+  return written.config + " and " + written.launch +
+         " are written; comments in the YAML say what is a guess. Next:\n" + command +
+         "With ROS, the monitor in rviz, where a motion is played in place of the robot:\n" + launch +
+         " simulated:=true\n" + "and with the robot, whose driver publishes joint_states:\n" + launch + "\n";
 }
 
 // Lists of joints and closures are long.
@@ -81,18 +92,17 @@ Report report_question(const SetupResult& result, const std::string& urdf_file) 
   return {object, text};
 }
 
-Report report_setup(const SetupResult& result, const std::string& urdf_file, const std::string& written) {
+Report report_setup(const SetupResult& result, const std::string& urdf_file, const SetupFiles& written) {
   json object = json_result("found", result);
   const Report mechanism = report_mechanism(*result.mechanism);
   object["describe"] = mechanism.json;
   object["config"] = result.config;
-  object["written"] = written.empty() ? json(nullptr) : json(written);
-  object["next"] = next_command(urdf_file, written);
+  object["written"] = written.config.empty() ? json(nullptr) : json(written.config);
+  object["launch"] = written.launch.empty() ? json(nullptr) : json(written.launch);
+  object["next"] = next_command(urdf_file, written.config);
   std::string text = choices_text(result) + "\n" + mechanism.text + "\n";
   if (result.cut_short) text += std::string(cut_short) + "\n";
-  text +=
-      written.empty() ? "Nothing is written." : written + " is written; its comments say what is a guess.";
-  return {object, text + " Next:\n  " + next_command(urdf_file, written) + "\n"};
+  return {object, text + next_text(urdf_file, written)};
 }
 
 }  // namespace parallel_aspects::tools

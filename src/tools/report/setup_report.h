@@ -12,8 +12,13 @@ namespace parallel_aspects::tools {
 /// A question, its candidates numbered, and how to answer it with an option of `aspects setup URDF`.
 Report report_question(const SetupResult& result, const std::string& urdf_file);
 
-/// What was found. `written` is the YAML's file, empty where none was written.
-Report report_setup(const SetupResult& result, const std::string& urdf_file, const std::string& written);
+/// What was written; empty where nothing was.
+struct SetupFiles {
+  std::string config, launch;
+};
+
+/// What was found.
+Report report_setup(const SetupResult& result, const std::string& urdf_file, const SetupFiles& written);
 
 }  // namespace parallel_aspects::tools
 

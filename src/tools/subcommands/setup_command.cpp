@@ -6,6 +6,7 @@
 #include "urdf/description/text_file.h"
 #include "urdf/setup/setup.h"
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -108,20 +109,72 @@ bool exists(const std::string& file) {
   return fs::exists(file, error);
 }
 
+// Those that are there, "robot.yaml and robot.launch"; throws where one is the URDF.
+std::string existing_of(const SetupFiles& output, const std::string& urdf) {
+  std::string existing;
+  for (const std::string& file : {output.config, output.launch}) {
+    std::error_code none;
+    if (fs::equivalent(file, urdf, none))
+      throw InvalidDescription(
+          {"File '" + file + "' is the URDF itself; give another one for the YAML with -o."});
+    if (exists(file)) existing += (existing.empty() ? "" : " and ") + file;
+  }
+  return existing;
+}
+
 // Throws where a file would be lost.
-void check_output(const SetupArguments& arguments, const std::string& output,
+void check_output(const SetupArguments& arguments, const SetupFiles& output,
                   const Surroundings& surroundings) {
-  std::error_code none;
-  if (fs::equivalent(output, arguments.urdf, none))
-    throw InvalidDescription(
-        {"File '" + output + "' is the URDF itself; give another one for the YAML with -o."});
-  if (!exists(output) || arguments.replace) return;
+  if (output.config == output.launch)
+    throw InvalidDescription({"-o is '" + output.config +
+                              "', as the launch file would be called; give a name that ends with .yaml."});
+  const std::string existing = existing_of(output, arguments.urdf);
+  if (existing.empty() || arguments.replace) return;
   if (can_ask(surroundings)) {
-    const std::string answer = answer_to(output + " exists. Replace it (y/n)? ", surroundings);
+    const std::string answer = answer_to("Replace " + existing + " (y/n)? ", surroundings);
     if (answer == "y" || answer == "yes") return;
   }
   throw InvalidDescription(
-      {"File '" + output + "' exists, and is left as it is; give another one with -o, or add --replace."});
+      {"What exists is left as it is: " + existing + "; give another name with -o, or add --replace."});
+}
+
+std::string xml_text(const std::string& text) {
+  std::string escaped;
+  for (const char letter : text) {
+    const std::size_t kind = std::string("&<>\"").find(letter);
+    escaped += kind == std::string::npos ? std::string(1, letter)
+                                         : std::array{"&amp;", "&lt;", "&gt;", "&quot;"}[kind];
+  }
+  return escaped;
+}
+
+// Beside the launch file or below it, so that they may be moved together; else where it is.
+std::string path_in_launch(const std::string& file, const std::string& launch) {
+  const fs::path whole = fs::weakly_canonical(file),
+                 relative = whole.lexically_relative(fs::weakly_canonical(launch).parent_path());
+  const bool is_beside = !relative.empty() && *relative.begin() != "..";
+  return xml_text(is_beside ? "$(dirname)/" + relative.string() : whole.string());
+}
+
+std::string launch_text(const std::string& urdf, const SetupFiles& output) {
+  return R"xml(<!-- The monitor of this robot in rviz, written by `aspects setup`. It expects the joint states of the actuated joints on
+     joint_states. -->
+<launch>
+  <arg name="rviz" default="true" doc="whether to open rviz"/>
+  <arg name="simulated" default="false" doc="whether a motion is played in place of the robot's own joint states"/>
+
+  <include file="$(find parallel_aspects)/launch/aspects.launch">
+    <arg name="urdf" value=")xml" +
+         path_in_launch(urdf, output.launch) + R"xml("/>
+    <arg name="config" value=")xml" +
+         path_in_launch(output.config, output.launch) + R"xml("/>
+    <arg name="rviz" value="$(arg rviz)"/>
+    <arg name="straight" value="$(arg simulated)"/>
+  </include>
+
+  <node if="$(arg simulated)" pkg="parallel_aspects" type="demo_motion" name="demo_motion" clear_params="true" output="screen"/>
+</launch>
+)xml";
 }
 
 void write(const std::string& text, const std::string& output) {
@@ -136,12 +189,15 @@ void write(const std::string& text, const std::string& output) {
 Report run(const SetupArguments& arguments, const Surroundings& surroundings) {
   const SetupAnswers answers = parse_answers(arguments);
   const bool writes = !surroundings.json || !arguments.output.empty();
-  const std::string output =
+  const std::string config =
       arguments.output.empty() ? fs::path(arguments.urdf).stem().string() + ".yaml" : arguments.output;
-  const SetupResult result = found(arguments.urdf, output, answers, surroundings);
-  if (writes) check_output(arguments, output, surroundings);
-  if (writes) write(result.config, output);
-  return report_setup(result, arguments.urdf, writes ? output : "");
+  const SetupFiles output{config, fs::path(config).replace_extension(".launch").string()};
+  const SetupResult result = found(arguments.urdf, config, answers, surroundings);
+  if (!writes) return report_setup(result, arguments.urdf, {});
+  check_output(arguments, output, surroundings);
+  write(result.config, output.config);
+  write(launch_text(arguments.urdf, output), output.launch);
+  return report_setup(result, arguments.urdf, output);
 }
 
 }  // namespace
@@ -150,16 +206,20 @@ Report describe_bare(const std::string& urdf_file, const Surroundings& surroundi
   Surroundings without_terminal = surroundings;
   without_terminal.answers = nullptr;
   return report_setup(found(urdf_file, fs::path(urdf_file).stem().string() + ".yaml", {}, without_terminal),
-                      urdf_file, "");
+                      urdf_file, {});
 }
 
 Subcommand setup_subcommand() {
   const auto arguments = std::make_shared<SetupArguments>();
   return {
       "setup",
-      "Find base, loop closures, platform and actuated joints of a URDF, and write the YAML",
+      "Find base, loop closures, platform and actuated joints of a URDF, and write the YAML and a launch "
+      "file",
       {{"URDF", "", "URDF of the robot", &arguments->urdf, true},
-       {"-o", "FILE", "YAML to write; by default NAME.yaml in the present folder for NAME.urdf",
+       {"-o", "FILE",
+        "YAML to write, with a .launch of the same name beside it; by default NAME.yaml in the present "
+        "folder "
+        "for NAME.urdf",
         &arguments->output},
        {"--closures", "PAIRS",
         "What is held together, as \"tool=rod_2_tip\" or \"tool=rod_2@0.4:0:0\" [m], where known; added to "
@@ -171,7 +231,7 @@ Subcommand setup_subcommand() {
         &arguments->platform},
        {"--base", "LINK", "Link that carries the base, where known", &arguments->base}},
       [arguments](const Surroundings& surroundings) { return run(*arguments, surroundings); },
-      {{"--replace", "Replace the YAML where it exists", &arguments->replace}}};
+      {{"--replace", "Replace these files where they exist", &arguments->replace}}};
 }
 
 }  // namespace parallel_aspects::tools

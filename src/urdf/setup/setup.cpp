@@ -149,6 +149,7 @@ class Setup {
         load_mechanism(subject_.urdf_text, subject_.urdf_name, result_.config, subject_.config_name);
     for (const std::string& note : result_.mechanism->notes())
       if (note.find("closures: [") != std::string::npos) draft.closure_notes.push_back(note);
+    draft.home = result_.mechanism->assembled().pose;
     result_.config = config_text(draft);
   }
 

@@ -111,6 +111,7 @@ class Writer {
     write_task_space();
     write_closures();
     write_closure_notes();
+    write_start();
     return text_;
   }
 
@@ -171,6 +172,21 @@ class Writer {
       text_ += indent + "# closures:\n";
       for (const std::string& entry : entries) text_ += indent + "#   - " + one_line(entry) + '\n';
     }
+  }
+
+  // A guess as well, but one that the node holds against the first joint sample.
+  void write_start() {
+    if (!draft_.task_space || !draft_.home) return;
+    const PoseCoordinates coordinates = pose_coordinates(*draft_.task_space, *draft_.home);
+    std::string values;
+    for (const double value : coordinates) values += (values.empty() ? "" : ", ") + coordinate_text(value);
+    text_ += "\nstart:\n";
+    comment(indent,
+            "Where the robot is when the monitor gets its first joint sample: a guess, the pose in which the "
+            "loops were closed to find the mechanism. Where the first sample does not fit to a pose near it, "
+            "the assembly mode is not known. Coordinates: " +
+                joined(coordinate_names(*draft_.task_space)) + " [m, rad].");
+    entry("pose", "[" + values + "]");
   }
 
   const std::string indent = "  ";

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_SETUP_SETUP_CONFIG_H
 #define PARALLEL_ASPECTS_URDF_SETUP_SETUP_CONFIG_H
 
+#include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/task_space.h"
 #include "urdf/setup/setup.h"
 
@@ -20,6 +21,7 @@ struct SetupDraft {
   std::string closure_type;         ///< of all of them
   std::vector<SetupChoice> others;  ///< what else would do, by key
   std::optional<TaskSpace> task_space;
+  std::optional<Pose> home;                ///< in which the loops were closed
   std::vector<std::string> notes;          ///< on the URDF
   std::vector<std::string> closure_notes;  ///< with lists of closures that may be meant
 };

@@ -2,12 +2,18 @@
 """What the launch files start, read as roslaunch reads them, without a master."""
 import functools
 import pathlib
+import shutil
+import subprocess
+import tempfile
 import unittest
 
 import roslaunch.config
 import roslaunch.core
+import roslib.packages
+import yaml
 
-LAUNCH = pathlib.Path(__file__).resolve().parents[3] / "launch"
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+LAUNCH = ROOT / "launch"
 
 
 @functools.lru_cache(maxsize=None)
@@ -26,6 +32,24 @@ class LaunchFiles(unittest.TestCase):
 
     def test_the_monitor_starts_alone(self):
         self.assertEqual(set(nodes(load("aspects.launch"))), {"aspect_node", "robot_state_publisher"})
+
+    def test_what_setup_writes_runs_wherever_it_is_moved(self):
+        aspects = roslib.packages.find_node("parallel_aspects", "aspects")[0]
+        with tempfile.TemporaryDirectory() as first, tempfile.TemporaryDirectory() as folder:
+            shutil.copy(ROOT / "urdf/five_bar.urdf", f"{first}/my_robot.urdf")
+            subprocess.run([aspects, "setup", "my_robot.urdf", "-o", "my_robot.yaml"], cwd=first, check=True,
+                           stdout=subprocess.DEVNULL)
+            for file in pathlib.Path(first).iterdir():
+                shutil.move(str(file), folder)
+            launch = f"{folder}/my_robot.launch"
+            monitor = {"aspect_node", "robot_state_publisher", "show_in_rviz"}
+            self.assertEqual(set(nodes(load(launch))), monitor)
+            config = load(launch, "rviz:=false", "simulated:=true")
+            self.assertEqual(set(nodes(config)), monitor - {"show_in_rviz"} | {"demo_motion"})
+            written = yaml.safe_load(pathlib.Path(folder, "my_robot.yaml").read_text())
+            self.assertEqual(config.params["/aspect_node/start/pose"].value, written["start"]["pose"])
+            self.assertEqual(config.params["/robot_description"].value,
+                             pathlib.Path(folder, "my_robot.urdf").read_text())
 
     def test_rviz_is_an_argument(self):
         self.assertIn("show_in_rviz", nodes(load("aspects.launch", "rviz:=true")))

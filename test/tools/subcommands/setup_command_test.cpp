@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -26,6 +27,7 @@ class SetupCommand : public test::CommandTest {
     ASSERT_NE(mkdtemp(pattern.data()), nullptr);
     folder_ = pattern;
     output_ = (folder_ / "robot.yaml").string();
+    launch_ = (folder_ / "robot.launch").string();
   }
   void TearDown() override { fs::remove_all(folder_); }
 
@@ -33,10 +35,12 @@ class SetupCommand : public test::CommandTest {
     return std::string(PARALLEL_ASPECTS_SOURCE_DIR) + "/" + file;
   }
 
-  std::string written() const {
-    std::ifstream stream(output_);
+  static std::string text_of(const std::string& file) {
+    std::ifstream stream(file);
     return {std::istreambuf_iterator<char>(stream), {}};
   }
+  std::string written() const { return text_of(output_); }
+  std::string launch() const { return text_of(launch_); }
 
   // On a terminal where this is typed.
   Outcome answered(std::vector<const char*> arguments, const std::string& typed) const {
@@ -49,7 +53,7 @@ class SetupCommand : public test::CommandTest {
   }
 
   fs::path folder_;
-  std::string output_;
+  std::string output_, launch_;
   const std::string five_bar_ = urdf("urdf/five_bar.urdf");
   const std::string unnamed_ = urdf("test/data/setup/unnamed_three_rpr.urdf");
 };
@@ -63,6 +67,51 @@ TEST_F(SetupCommand, WritesWhatLoadsAndSaysWhatIsNext) {
       << outcome.output;
   EXPECT_EQ(run({"describe", "--urdf", five_bar_.c_str(), "--config", output_.c_str()}).code, exit_code::ok);
   EXPECT_NE(written().find("# Actuated joints, one a leg: "), std::string::npos) << written();
+  EXPECT_NE(outcome.output.find("\n  roslaunch " + launch_ + " simulated:=true\n"), std::string::npos)
+      << outcome.output;
+  EXPECT_TRUE(fs::exists(launch_));
+}
+
+// Where the monitor begins, and the robot assembles there.
+TEST_F(SetupCommand, WritesTheHomePoseAsTheStart) {
+  for (const char* name : {"five_bar", "three_rrr", "delta", "agile_eye", "stewart"}) {
+    const std::string robot = urdf("urdf/" + std::string(name) + ".urdf");
+    ASSERT_EQ(run({"setup", robot.c_str(), "-o", output_.c_str(), "--replace"}).code, exit_code::ok);
+    const std::string config = written();
+    std::smatch pose;
+    ASSERT_TRUE(std::regex_search(config, pose, std::regex("\nstart:\n(?:  #.*\n)*  pose: \\[(.*)\\]\n")))
+        << config;
+    const std::string coordinates = pose.str(1);
+    const json inverse = test::run_json(
+        {"inverse", "--urdf", robot.c_str(), "--config", output_.c_str(), "--pose", coordinates.c_str()});
+    const json& solutions = inverse.at("solutions");
+    EXPECT_TRUE(std::any_of(solutions.begin(), solutions.end(),
+                            [](const json& each) { return each.at("status") == "solved"; }))
+        << name << " at " << coordinates << ": " << inverse;
+  }
+}
+
+TEST_F(SetupCommand, TheLaunchFileNamesWhatLiesBesideItFromThere) {
+  const fs::path beside = folder_ / "my & robot.urdf";
+  fs::copy(five_bar_, beside);
+  ASSERT_EQ(run({"setup", beside.c_str(), "-o", output_.c_str()}).code, exit_code::ok);
+  EXPECT_NE(launch().find("value=\"$(dirname)/my &amp; robot.urdf\""), std::string::npos) << launch();
+  EXPECT_NE(launch().find("value=\"$(dirname)/robot.yaml\""), std::string::npos) << launch();
+  ASSERT_EQ(run({"setup", five_bar_.c_str(), "-o", output_.c_str(), "--replace"}).code, exit_code::ok);
+  EXPECT_NE(launch().find("value=\"" + fs::canonical(five_bar_).string() + "\""), std::string::npos)
+      << launch();
+}
+
+TEST_F(SetupCommand, LeavesALaunchFileThatExists) {
+  std::ofstream(launch_) << "mine\n";
+  const Outcome outcome = run({"setup", five_bar_.c_str(), "-o", output_.c_str()});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_NE(outcome.messages.find("is left as it is: " + launch_), std::string::npos) << outcome.messages;
+  EXPECT_EQ(launch(), "mine\n");
+  EXPECT_FALSE(fs::exists(output_));
+  const Outcome same = run({"setup", five_bar_.c_str(), "-o", launch_.c_str(), "--replace"});
+  EXPECT_NE(same.messages.find("ends with .yaml"), std::string::npos) << same.messages;
+  EXPECT_EQ(launch(), "mine\n");
 }
 
 // As -0 and 1.7e-17, which rounding leaves of zero.
