@@ -2,6 +2,7 @@
 #include "tools/arguments.h"
 
 #include "aspects/tree/held_joint_example.h"
+#include "model/number_text.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/rotation_slice.h"
 #include "tools/computation.h"
@@ -9,6 +10,7 @@
 #include "tools/subcommands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <utility>
@@ -101,6 +103,41 @@ MapSlice parse_slice(const std::string& option, const Manipulator& manipulator, 
   if (problems.size() > known) return {};
   return axis.empty() ? make_slice(manipulator, held, problems)
                       : make_rotation_slice(manipulator.task_space(), held, axis, problems);
+}
+
+namespace {
+
+// In few digits.
+std::string held_text(const std::string& name, double value) {
+  constexpr int digits = 3;
+  constexpr double noise = 1e-9;
+  return name + "=" + number_text(std::abs(value) < noise ? 0.0 : value, digits);
+}
+
+std::string text_of_section(TaskSpace space, const Pose& pose) {
+  if (space == TaskSpace::SO3) return "torsion=0";
+  return space == TaskSpace::SE2 ? held_text("phi", pose_coordinates(space, pose)[2])
+                                 : held_text("z", pose.position.z());
+}
+
+// As in `make_slice`, Rz(yaw) Ry(pitch) Rx(roll).
+std::string text_of_orientation(const Eigen::Quaterniond& orientation) {
+  const Eigen::Matrix3d r = orientation.normalized().toRotationMatrix();
+  return held_text("roll", std::atan2(r(2, 1), r(2, 2))) + " " +
+         held_text("pitch", std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0)))) + " " +
+         held_text("yaw", std::atan2(r(1, 0), r(0, 0)));
+}
+
+}  // namespace
+
+std::string example_of_section(TaskSpace space, const Pose& pose) {
+  return "\"" + text_of_section(space, pose) + "\"";
+}
+
+std::string example_of_plane(TaskSpace space, const Pose& pose) {
+  if (space == TaskSpace::SO3) return "";
+  const std::string turns = space == TaskSpace::SE3 ? " " + text_of_orientation(pose.orientation) : "";
+  return "\"" + text_of_section(space, pose) + turns + "\"";
 }
 
 std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulator& manipulator,

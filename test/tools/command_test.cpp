@@ -9,7 +9,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -85,6 +87,36 @@ TEST_F(Command, DistancesAskAMap) {
   EXPECT_LT(int{answer["parallel"]["boxes"]}, int{alone["parallel"]["boxes"]});
   EXPECT_EQ(run({"distance", "stewart", "--pose", "0 0 0.6 0 0 0", "--map", "none.map"}).code,
             exit_code::bad_input);
+}
+
+// Where the bounds of the command alone are loose it says how those of a map are had, to be typed as it
+// stands.
+TEST_F(Command, LooseDistancesSayWhatAMapGives) {
+  const std::vector<const char*> question{"distance",      "linear_delta", "--pose",
+                                          "0.05 0.02 0.2", "--boxes",      "1"};
+  const std::string alone = run(question).output;
+  std::smatch words;
+  ASSERT_TRUE(std::regex_search(
+      alone, words, std::regex("`aspects map (\\S+) --save (\\S+)`, and add --map (\\S+) here\\.\n$")))
+      << alone;
+  const std::string robot = words.str(1), file = testing::TempDir() + words.str(2);
+  EXPECT_EQ(words.str(2), words.str(3));
+  ASSERT_EQ(run({"map", robot.c_str(), "--save", file.c_str()}).code, exit_code::ok);
+  std::vector<const char*> with_map = question;
+  with_map.insert(with_map.end(), {"--map", file.c_str()});
+  const json before = run_json(question), after = run_json(with_map);
+  std::filesystem::remove(file);
+  EXPECT_EQ(after.at("loaded"), true);
+  bool is_tighter = false;
+  for (std::size_t i = 0; i < before.at("answers").size(); ++i) {
+    const json &one = before["answers"][i], &other = after["answers"][i];
+    if (one.at("status") != "measured" || other["parallel"]["lower"].is_null()) continue;
+    is_tighter = is_tighter || double{other["parallel"]["lower"]} > double{one["parallel"]["lower"]};
+  }
+  EXPECT_TRUE(is_tighter);
+  EXPECT_EQ(run(with_map).output.find("aspects map"), std::string::npos);
+  EXPECT_EQ(run({"distance", "five_bar", "--pose", "4.5 8"}).output.find("aspects map"), std::string::npos)
+      << "tight as it is";
 }
 
 TEST_F(Command, DistancesAreATable) {

@@ -10,7 +10,9 @@
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
 #include "tools/subcommands.h"
+#include "urdf/description/command_options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -167,15 +169,37 @@ std::vector<ModeDistances> measured(const std::shared_ptr<const Manipulator>& ma
   return answers;
 }
 
+// What to type for tighter bounds, in the words that named the robot; empty where they are tight or no map
+// helps.
+std::string hint_of_map(const RobotChoice& robot, const Manipulator& manipulator,
+                        const std::vector<ModeDistances>& answers) {
+  const bool is_loose = std::any_of(answers.begin(), answers.end(), [](const ModeDistances& answer) {
+    const DistanceStatus status = answer.distances.parallel.status;
+    return has_joints(answer.distances) &&
+           (status == DistanceStatus::loose || status == DistanceStatus::no_witness);
+  });
+  if (!is_loose || manipulator.task_space() == TaskSpace::SE3) return "";
+  const std::string words = !robot.name.empty() ? shell_word(robot.name)
+                                                : "--urdf " + shell_word(robot.urdf_file) + " --config " +
+                                                      shell_word(robot.config_file),
+                    file = shell_word(manipulator.name() + ".map");
+  return "With a map, as the node has one, the bounds to parallel singularities are tighter: write it with "
+         "`aspects map " +
+         words + " --save " + file + "`, and add --map " + file + " here.\n";
+}
+
 Report answer(const DistanceArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto& manipulator = mechanism->manipulator();
   const DistanceQuestion question = parse(arguments, *manipulator);
   ChosenMap chosen;
   if (arguments.asks_map()) chosen = choose_map(manipulator, arguments.map, std::nullopt, surroundings);
-  Report report =
-      report_distances(*manipulator, question.pose, measured(manipulator, question, chosen, surroundings));
-  if (chosen.map) report_source(arguments.map, chosen, report);
+  const std::vector<ModeDistances> answers = measured(manipulator, question, chosen, surroundings);
+  Report report = report_distances(*manipulator, question.pose, answers);
+  if (chosen.map)
+    report_source(arguments.map, chosen, report);
+  else
+    report.text += hint_of_map(arguments.robot, *manipulator, answers);
   return report;
 }
 

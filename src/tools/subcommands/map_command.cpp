@@ -99,7 +99,7 @@ std::optional<Box> find_region(const MapArguments& arguments, const MapSection& 
   return region && slice ? region_of_slice(*region, *slice, section.file, problems) : region;
 }
 
-void refuse_options_of_boxes(const MapArguments& arguments, Problems& problems) {
+void refuse_options_of_boxes(const MapArguments& arguments, const Pose& home, Problems& problems) {
   const auto refuse = [&problems](bool is_given, const std::string& options, const std::string& remedy) {
     if (is_given)
       problems.push_back(options + " for maps of boxes, and in SE3 only slices have these; " + remedy + ".");
@@ -108,7 +108,9 @@ void refuse_options_of_boxes(const MapArguments& arguments, Problems& problems) 
   refuse(!arguments.resolution.empty(), "--resolution is", "give --slice, or --samples for the roadmap");
   refuse(!arguments.load_file.empty() || !arguments.save_file.empty(), "--load and --save are",
          leave + "them out");
-  refuse(!arguments.picture_file.empty(), "--picture is", "give --slice with two free coordinates");
+  refuse(
+      !arguments.picture_file.empty(), "--picture is",
+      "give one that leaves two coordinates free, such as --slice " + example_of_plane(TaskSpace::SE3, home));
   refuse(arguments.wants_basins() || !arguments.index_text.empty(),
          "--persistence, --persistence-picture and --index are", leave + "them out");
   refuse(arguments.neighbours, "--neighbours is", leave + "it out");
@@ -118,20 +120,32 @@ void refuse_options_of_boxes(const MapArguments& arguments, Problems& problems) 
 }
 
 // With six degrees of freedom there is a roadmap in place of a map.
-Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapArguments& arguments,
-                      const MapSection& section, const Surroundings& surroundings) {
+Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const Pose& home,
+                      const MapArguments& arguments, const MapSection& section,
+                      const Surroundings& surroundings) {
   Problems problems;
   RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
   options.threads = parse_options(arguments, section.config, problems).threads;
   options.region = find_region(arguments, section, manipulator->task_space(), std::nullopt, problems);
-  refuse_options_of_boxes(arguments, problems);
+  refuse_options_of_boxes(arguments, home, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return report_roadmap(*compute_roadmap(std::move(manipulator), options, surroundings), arguments.verbose);
 }
 
+/// What to do for a picture of two coordinates, where the map has another number of them.
+std::string picture_remedy(TaskSpace space, const Pose& home) {
+  if (degrees_of_freedom(space) == 2) return "; leave out --slice, without which it has two.";
+  if (degrees_of_freedom(space) < 2) return "; leave it out.";
+  const std::string plane = example_of_plane(space, home);
+  if (plane.empty())
+    return "; leave it out, and draw a section with `aspects plot`, such as --section " +
+           example_of_section(space, home) + ".";
+  return "; give a slice that leaves two free, such as --slice " + plane + ".";
+}
+
 /// The options that depend on the robot.
 void add_coverage(const MapArguments& arguments, const MapSection& section, const Manipulator& manipulator,
-                  MapOptions& options) {
+                  const Pose& home, MapOptions& options) {
   Problems problems;
   if (!arguments.roadmap.samples.empty() || !arguments.roadmap.seed.empty())
     problems.push_back("--samples and --seed are for roadmaps, in SE3 without --slice; the map of '" +
@@ -149,9 +163,7 @@ void add_coverage(const MapArguments& arguments, const MapSection& section, cons
   const std::size_t dimension = options.slice ? options.slice->dimension() : whole;
   if (problems.empty() && !arguments.picture_file.empty() && dimension != 2)
     problems.push_back("--picture is of two coordinates, but the map has " + std::to_string(dimension) +
-                       (whole > 2    ? "; give a slice that leaves two free."
-                        : whole == 2 ? "; leave out --slice, without which it has two."
-                                     : "; leave it out."));
+                       picture_remedy(manipulator.task_space(), home));
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
 }
 
@@ -256,9 +268,10 @@ Report report_of(MapArguments arguments, const Surroundings& surroundings) {
   check_output_file("--persistence-picture", arguments.basins_file, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
+  const Pose home = mechanism->assembled().pose;
   if (manipulator->task_space() == TaskSpace::SE3 && arguments.slice.empty())
-    return roadmap_report(manipulator, arguments, section, surroundings);
-  add_coverage(arguments, section, *manipulator, map_options);
+    return roadmap_report(manipulator, home, arguments, section, surroundings);
+  add_coverage(arguments, section, *manipulator, home, map_options);
   Report report = load_or_compute(manipulator, map_options, arguments, surroundings);
   for (const std::string& note : mechanism->notes())
     if (note.find("bounds no aspect") != std::string::npos) report.text += "\nnote: " + note + "\n";

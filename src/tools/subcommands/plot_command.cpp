@@ -64,15 +64,28 @@ PlotSection parse_section(const PlotArguments& arguments, const Manipulator& man
   return section;
 }
 
-/// What a picture cannot show, with what to do.
-void check_dimension(const PlotArguments& arguments, const Manipulator& manipulator,
+/// What takes two coordinates of a map that has three.
+void check_plane(const PlotArguments& arguments, TaskSpace space, const Pose& home, Problems& problems) {
+  if (!arguments.index.empty() || arguments.each_aspect)
+    problems.push_back(
+        "--index and --each-aspect are for two coordinates; give a section too, such as --section " +
+        example_of_section(space, home) + ".");
+  const std::string plane = example_of_plane(space, home);
+  if (arguments.leaves)
+    problems.push_back("--leaves shows the boxes of maps of two coordinates; " +
+                       (plane.empty() ? "leave it out." : "give a slice, such as --slice " + plane + "."));
+}
+
+/// What a picture cannot show, with what to do. `home`: a pose of the robot.
+void check_dimension(const PlotArguments& arguments, const Manipulator& manipulator, const Pose& home,
                      const std::optional<MapSlice>& slice, Problems& problems) {
-  const std::size_t dimension = slice ? slice->dimension() : degrees_of_freedom(manipulator.task_space());
+  const TaskSpace space = manipulator.task_space();
+  const std::size_t dimension = slice ? slice->dimension() : degrees_of_freedom(space);
   if (dimension > 3)
     problems.push_back(
         "'" + manipulator.name() +
-        "' has six degrees of freedom, and a picture shows three at most; give a slice, such as "
-        "--slice \"z=1 roll=0 pitch=0 yaw=0\".");
+        "' has six degrees of freedom, and a picture shows three at most; give a slice, such as --slice " +
+        example_of_plane(space, home) + ".");
   if (dimension < 2)
     problems.push_back(
         slice ? "--slice leaves one coordinate free, and a picture takes two or three; hold less."
@@ -87,8 +100,7 @@ void check_dimension(const PlotArguments& arguments, const Manipulator& manipula
   const bool is_plane = dimension == 2 || !arguments.section.empty();
   if (dimension == 2 && !arguments.section.empty())
     problems.emplace_back("--section cuts maps of three coordinates, but this one has two; leave it out.");
-  if (!is_plane && (!arguments.index.empty() || arguments.leaves || arguments.each_aspect))
-    problems.emplace_back("--index, --leaves and --each-aspect are for two coordinates; give --section too.");
+  if (dimension == 3 && !is_plane) check_plane(arguments, space, home, problems);
   if (arguments.leaves && !arguments.section.empty())
     problems.emplace_back(
         "--leaves shows the boxes of maps of two coordinates; give --slice in place of --section.");
@@ -144,7 +156,8 @@ Report report_of(const PlotArguments& arguments, const Surroundings& surrounding
   if (!arguments.map.slice.empty())
     slice = parse_slice("--slice", *manipulator, arguments.map.slice, problems);
   options.modes = parse_modes("--mode", *manipulator, arguments.modes, problems);
-  if (problems.empty()) check_dimension(arguments, *manipulator, slice, problems);
+  if (problems.empty())
+    check_dimension(arguments, *manipulator, mechanism->assembled().pose, slice, problems);
   if (problems.empty() && !arguments.section.empty())
     options.section = parse_section(arguments, *manipulator, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -349,12 +350,29 @@ TEST_F(MapCommand, MapsWithTwoCoordinatesAreDrawn) {
   EXPECT_EQ(svg.find(">working mode (+,-,+)<"), std::string::npos);
   EXPECT_NE(svg.find("slice phi = 0 rad"), std::string::npos);
   std::filesystem::remove(file);
-  const Outcome refused = run({"map", "delta", "--picture", file.c_str()});
-  EXPECT_EQ(refused.code, exit_code::bad_input);
-  EXPECT_EQ(refused.messages,
-            "--picture is of two coordinates, but the map has 3; give a slice that leaves two free.\n");
   EXPECT_EQ(run({"map", "five_bar", "--picture", "/no/such/folder/a.svg"}).code, exit_code::bad_input);
-  EXPECT_EQ(run({"map", "stewart", "--picture", file.c_str()}).code, exit_code::bad_input);
+}
+
+// Each remedy as it is typed again.
+TEST_F(MapCommand, APictureOfMoreCoordinatesNamesASliceThatHasOne) {
+  const std::string file = testing::TempDir() + "aspects_refused.svg";
+  for (const char* robot :
+       {"three_rrr", "three_rpr", "three_prr", "delta", "linear_delta", "stewart", "six_pus"}) {
+    const Outcome refused = run({"map", robot, "--picture", file.c_str()});
+    EXPECT_EQ(refused.code, exit_code::bad_input);
+    EXPECT_EQ(test::line_count(refused.messages), 1U) << refused.messages;
+    std::smatch slice;
+    ASSERT_TRUE(std::regex_search(refused.messages, slice, std::regex("such as --slice \"([^\"]*)\"\\.\n")))
+        << refused.messages;
+    const std::string held = slice.str(1);
+    const json map = run_json({"map", robot, "--slice", held.c_str(), "--picture", file.c_str()});
+    EXPECT_FALSE(map.at("aspects").empty()) << robot << " at " << held;
+    std::filesystem::remove(file);
+  }
+  EXPECT_EQ(
+      run({"map", "agile_eye", "--picture", file.c_str()}).messages,
+      "--picture is of two coordinates, but the map has 3; leave it out, and draw a section with `aspects "
+      "plot`, such as --section \"torsion=0\".\n");
 }
 
 TEST_F(MapCommand, BadSlicesAreRefused) {

@@ -69,10 +69,14 @@ TEST_F(PlotCommand, SaysWhatToDoInstead) {
   EXPECT_EQ(message({"stewart"}),
             "'stewart' has six degrees of freedom, and a picture shows three at most; give a slice, such as "
             "--slice \"z=1 roll=0 pitch=0 yaw=0\".\n");
+  EXPECT_EQ(
+      message({"three_rrr", "--leaves"}),
+      "--leaves shows the boxes of maps of two coordinates; give a slice, such as --slice \"phi=0\".\n");
   EXPECT_EQ(message({"five_bar", "--section", "x=1"}),
             "--section cuts maps of three coordinates, but this one has two; leave it out.\n");
   EXPECT_EQ(message({"delta", "--index", "parallel"}),
-            "--index, --leaves and --each-aspect are for two coordinates; give --section too.\n");
+            "--index and --each-aspect are for two coordinates; give a section too, such as --section "
+            "\"z=-0.8\".\n");
   EXPECT_EQ(message({"five_bar", "--index", "depth"}),
             "--index is 'depth'; give parallel or conditioning.\n");
   EXPECT_EQ(message({"agile_eye", "--section", "z=1"}),
