@@ -170,6 +170,7 @@ void RobotServer::start_probe() {
   ProbeSources sources;
   sources.aspects = [this] { return worker_.known(); };
   sources.present = [this] { return monitor_.current(ros::Time::now()); };
+  sources.section = [this] { return display_.section(); };
   sources.dots = [this](const DrawnConfiguration& other) { return display_.dots_of(other); };
   probe_ = std::make_unique<Probe>(setup_, service_nh_, std::move(sources));
 }

@@ -126,6 +126,11 @@ void Display::set_candidates(const AssemblyCandidates& candidates) {
   caption_.clear();  // so that they are drawn
 }
 
+std::optional<PoseSlice> Display::section() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return picture_->section(drawn_present_ ? drawn_present_ : drawn_gallery_);
+}
+
 std::vector<visualization_msgs::Marker> Display::dots_of(const DrawnConfiguration& other) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!mapped_) return {};

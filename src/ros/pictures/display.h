@@ -43,6 +43,9 @@ class Display {
   /// Draws what has changed since the last call. `map_message`: what there is to say about the map.
   void show(const CurrentConfiguration& current, const std::string& map_message);
 
+  /// Which poses aspects are drawn at now, where those are a section of the map.
+  std::optional<PoseSlice> section();
+
   /// Dots of another configuration than the robot's, in workspace and joint space, where there is a picture
   /// of the map.
   std::vector<visualization_msgs::Marker> dots_of(const DrawnConfiguration& other);

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_H
 
+#include "parallel_aspects/aspects/pose_slice.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "ros/messages/conversions.h"
 
@@ -49,6 +50,9 @@ class Picture {
   /// Whether the gallery, or the present aspects, look different from what was drawn `before`.
   virtual bool gallery_differs(const Drawn& before, const Drawn& now) const = 0;
   virtual bool present_differs(const Drawn& before, const Drawn& now) const = 0;
+
+  /// Which poses it has drawn aspects at, where those are a section of the map.
+  virtual std::optional<PoseSlice> section(const Drawn&) const { return std::nullopt; }
 
   /// Where the frames of the gallery stand, in the base frame.
   virtual std::vector<geometry_msgs::TransformStamped> frames() const = 0;

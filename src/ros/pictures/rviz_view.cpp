@@ -67,11 +67,16 @@ AlignedBox2d tile_gallery(const Scene& scene) {
           Vector2d(scene.tiles.width(), 2.5 * text + 0.2 * scene.tiles.height())};
 }
 
-// What the display has beside the robot: a ball of rotations, and a legend above them.
-void add_display(const Manipulator& robot, const Scene& scene, std::vector<Vector3d>& corners) {
-  Vector3d above = scene.robot.center();
+// What the display has at the robot and beside it: aspects as bodies, or a ball of rotations, and a legend
+// above them.
+void add_display(const NodeSetup& setup, const Scene& scene, std::vector<Vector3d>& corners) {
+  const Manipulator& robot = *setup.mechanism->manipulator();
+  Eigen::AlignedBox3d here = scene.robot;
+  if (!scene.planar) here.extend(reach_box(robot, start_pose(*setup.mechanism, setup.options.start)));
+  for (int i = 0; i < 8; ++i) corners.push_back(here.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+  Vector3d above = here.center();
   const Eigen::Index up = scene.planar ? 1 : 2;
-  above[up] = scene.robot.max()[up];
+  above[up] = here.max()[up];
   double size = robot.size();
   if (robot.task_space() == TaskSpace::SO3) {
     const Vector3d radius = Vector3d::Constant(ball_radius * size);
@@ -101,11 +106,11 @@ std::vector<Vector3d> corners_of(const NodeSetup& setup, const Scene& scene, boo
   const double caption = 0.12 * scene.tiles.height();
   for (int i = 0; i < 8; ++i) {
     Vector3d corner = scene.robot.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
-    if (scene.planar && corner.y() == scene.robot.min().y()) corner.y() -= caption;
+    if (with_gallery && scene.planar && corner.y() == scene.robot.min().y()) corner.y() -= caption;
     corners.push_back(corner);
   }
   add_domains(setup, scene, corners);
-  if (!with_gallery) add_display(*setup.mechanism->manipulator(), scene, corners);
+  if (!with_gallery) add_display(setup, scene, corners);
   if (!with_gallery || !setup.options.display.gallery) return corners;
   const bool plane = setup.mechanism->manipulator()->task_space() == TaskSpace::T2;
   const AlignedBox2d gallery = plane ? map_gallery(setup) : tile_gallery(scene);

@@ -44,8 +44,8 @@ AlignedBox3d robot_box(const Manipulator& robot, const Pose& pose) {
   return {box.min() - margin, box.max() + margin};
 }
 
-// Encloses every position that all legs with a bounded reach allow.
-AlignedBox3d reach_box(const Manipulator& robot) {
+// Encloses every position that all legs with a bounded reach allow, far from tightly.
+AlignedBox3d outer_reach_box(const Manipulator& robot) {
   AlignedBox3d reach(Vector3d::Constant(-1e9), Vector3d::Constant(1e9));
   for (const Leg& leg : robot.legs()) {
     const Vector3d radius = Vector3d::Constant(leg.longest_reach() + leg.anchor.norm());
@@ -54,6 +54,20 @@ AlignedBox3d reach_box(const Manipulator& robot) {
         AlignedBox3d(Vector3d(leg.base_point() - radius), Vector3d(leg.base_point() + radius)));
   }
   return reach;
+}
+
+// In one of the orientations that are looked at.
+bool is_reached(const Manipulator& robot, const Vector3d& position, const Eigen::Quaterniond& orientation) {
+  constexpr int angles = 16;
+  const int turns = robot.task_space() == TaskSpace::SE2 ? angles : 1;
+  for (int k = 0; k < turns; ++k) {
+    Pose pose;
+    pose.position = position;
+    pose.orientation = orientation * Eigen::AngleAxisd(2.0 * EIGEN_PI * k / turns, Vector3d::UnitZ());
+    for (const InverseSolution& solution : inverse_in_all_modes(robot, pose))
+      if (solution.status == InverseStatus::solved) return true;
+  }
+  return false;
 }
 
 Eigen::Isometry3d gallery_frame(const Scene& scene, double height) {
@@ -71,6 +85,23 @@ Eigen::Isometry3d gallery_frame(const Scene& scene, double height) {
 }
 
 }  // namespace
+
+AlignedBox3d reach_box(const Manipulator& robot, const Pose& start) {
+  const std::size_t free = directions(robot.task_space());
+  AlignedBox3d outer = outer_reach_box(robot), reach;
+  if (free == 0 || outer.isEmpty() || outer.sizes().maxCoeff() > 1e8) return reach;
+  const int cells = free < 3 ? 32 : 12;
+  for (Eigen::Index i = static_cast<Eigen::Index>(free); i < 3; ++i) outer.min()[i] = outer.max()[i] = 0.0;
+  const Vector3d cell = outer.sizes() / cells, half = 0.5 * cell;
+  for (int k = 0; k < (free < 3 ? 1 : cells); ++k)
+    for (int j = 0; j < (free < 2 ? 1 : cells); ++j)
+      for (int i = 0; i < cells; ++i) {
+        const Vector3d middle = outer.min() + Vector3d(i + 0.5, j + 0.5, k + 0.5).cwiseProduct(cell);
+        if (!reach.contains(middle) && is_reached(robot, middle, start.orientation))
+          reach.extend(AlignedBox3d(Vector3d(middle - half), Vector3d(middle + half)));
+      }
+  return reach;
+}
 
 TileLayout::TileLayout(std::size_t tiles, double height)
     : columns_(std::min<std::size_t>(4, tiles)), rows_((tiles + columns_ - 1) / columns_) {
@@ -103,8 +134,8 @@ Scene scene_of(const Mechanism& mechanism, const NodeOptions& options) {
   if (robot.task_space() == TaskSpace::SO3)
     scene.robot = {Vector3d::Constant(-options.display.radius), Vector3d::Constant(options.display.radius)};
   if (scene.planar) {
-    const AlignedBox3d reach = reach_box(robot);
-    if (reach.sizes().head<2>().maxCoeff() < 1e8) scene.robot.extend(reach);
+    scene.robot.extend(reach_box(robot, start_pose(mechanism, options.start)));
+    scene.robot.max().y() += words_room * scene.robot.sizes().y();
     scene.robot.min().z() = scene.robot.max().z() = -0.05 * robot.size();  // behind the robot
   }
   const Vector3d size = scene.robot.sizes();

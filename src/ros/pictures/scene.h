@@ -54,7 +54,15 @@ double turn_length(const Manipulator& manipulator) noexcept;
 /// How far the viewer looks down on a robot that is not planar [rad].
 inline constexpr double view_pitch = 0.3;
 
+/// For the words of the probe, above a planar robot and what it reaches: of their height together.
+inline constexpr double words_room = 0.15;
+
 Scene scene_of(const Mechanism& mechanism, const NodeOptions& options);
+
+/// About the positions that the operational point comes to in some working mode within its limits, in the
+/// task frame [m]: of a grid, for the eye alone, but the same in every process. In SE2 at any angle, in SE3
+/// at the orientation of `start`. Empty where nothing bounds them, and where the robot only turns.
+Eigen::AlignedBox3d reach_box(const Manipulator& robot, const Pose& start);
 
 /// The pose that the parameters say, or the one that the mechanism was recognised in.
 Pose start_pose(const Mechanism& mechanism, const StartOptions& start);

@@ -27,6 +27,7 @@ class SlicePicture : public Picture {
   visualization_msgs::MarkerArray position(const Drawn& now) const override;
   bool gallery_differs(const Drawn& before, const Drawn& now) const override;
   bool present_differs(const Drawn& before, const Drawn& now) const override;
+  std::optional<PoseSlice> section(const Drawn& now) const override { return slice(now); }
   std::vector<geometry_msgs::TransformStamped> frames() const override;
 
  private:

@@ -18,6 +18,8 @@
 namespace parallel_aspects {
 namespace {
 
+constexpr std::chrono::milliseconds between_looks(200);  // at the section that aspects are drawn at
+
 ros::NodeHandle on_queue(const ros::NodeHandle& parent, ros::CallbackQueue& queue) {
   ros::NodeHandle nh(parent, "probe");
   nh.setCallbackQueue(&queue);
@@ -243,17 +245,41 @@ void Probe::run() {
 }
 
 std::optional<Probe::Wish> Probe::next_wish() {
-  std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait(lock, [this] { return stopping_ || fresh_; });
-  if (stopping_) return std::nullopt;
-  fresh_ = false;
-  return Wish{question_.value_or(start_), !question_, dragged_};
+  const auto is_due = [this] { return stopping_ || fresh_; };
+  for (;;) {
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      if (!question_) changed_.wait(lock, is_due);
+      if (changed_.wait_for(lock, between_looks, is_due)) {
+        if (stopping_) return std::nullopt;
+        fresh_ = false;
+        return Wish{question_.value_or(start_), !question_, dragged_};
+      }
+    }
+    if (is_outdated()) work_out();
+  }
+}
+
+std::optional<PoseSlice> Probe::section_beside(const Pose& pose) const {
+  const auto section = sources_.section();
+  return section && !is_near(robot_, *section, pose) ? section : std::nullopt;
+}
+
+// As the robot takes the section along while the probe stays.
+bool Probe::is_outdated() const {
+  if (!drawn_) return false;
+  const auto section = section_beside(*drawn_);
+  if (!section || !section_) return section.has_value() != section_.has_value();
+  return section->text() != section_->text();
 }
 
 void Probe::answer(const Wish& wish) {
+  drawn_.reset();
   if (wish.hide) return markers_.publish(picture_.none());
-  const ProbeFinding finding = solver_.find(wish.question, sources_.aspects(), ros::Time::now());
+  ProbeFinding finding = solver_.find(wish.question, sources_.aspects(), ros::Time::now());
   if (finding.reached) {
+    drawn_ = finding.reached->pose;
+    section_ = finding.section = section_beside(*drawn_);
     const geometry_msgs::Pose reached = finding.state.report.configuration.pose;
     {
       const std::lock_guard<std::mutex> lock(mutex_);

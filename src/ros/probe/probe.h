@@ -32,6 +32,8 @@ namespace parallel_aspects {
 struct ProbeSources {
   std::function<KnownAspects()> aspects;
   std::function<CurrentConfiguration()> present;
+  /// Which poses aspects are drawn at, where those are a section of the map.
+  std::function<std::optional<PoseSlice>()> section;
   /// Dots of a configuration in the pictures of the map.
   std::function<std::vector<visualization_msgs::Marker>(const DrawnConfiguration&)> dots;
 };
@@ -40,7 +42,7 @@ struct ProbeSources {
 ///
 /// It reads what the robot does, and changes nothing of it. Messages and the handle only note what is wanted;
 /// one thread works it out, the newest alone, and no more often than `ProbeOptions::rate`. It sleeps while
-/// nothing is wanted.
+/// nothing is wanted, and else looks now and then whether the section has moved that aspects are drawn at.
 class Probe {
  public:
   /// Topics are below `private_nh`. What `sources` call must outlive the object.
@@ -72,14 +74,18 @@ class Probe {
   void run();
   std::optional<Wish> next_wish();
   void answer(const Wish& wish);
+  std::optional<PoseSlice> section_beside(const Pose& pose) const;
+  bool is_outdated() const;
   std::vector<visualization_msgs::Marker> dots_of(const ProbeFinding& finding) const;
 
   const std::shared_ptr<const Mechanism> mechanism_;
   const Manipulator& robot_;
   const ProbeSources sources_;
   const ros::WallDuration period_;
-  ProbeSolver solver_;    // of the worker
-  ProbePicture picture_;  // of the worker
+  ProbeSolver solver_;                // of the worker
+  ProbePicture picture_;              // of the worker
+  std::optional<Pose> drawn_;         // by the worker; nothing while nothing is shown
+  std::optional<PoseSlice> section_;  // in its words
 
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -153,8 +153,9 @@ void ProbePicture::draw_words(const ProbeFinding& finding, Markers& markers) con
   const Caption caption = caption_of(scene_, words_of(robot_, finding));
   const double room = 2.0 * Caption::line_pitch * caption.text_height;
   Vector3d at = scene_.robot.center();
+  const double top = 0.5 * words_room / (1.0 + words_room) * scene_.robot.sizes().y();
   if (scene_.planar)
-    at = {at.x(), scene_.robot.max().y() - room, above * robot_.size()};
+    at = {at.x(), scene_.robot.max().y() - top, above * robot_.size()};
   else
     at = {at.x(), scene_.robot.min().y(), scene_.robot.min().z() - room};  // before it, as it is seen
   Marker text = marker("probe/words", Marker::TEXT_VIEW_FACING, ink());

@@ -134,15 +134,25 @@ std::string fault_of(const geometry_msgs::Pose& pose) {
          "; it must be a unit quaternion, such as x 0, y 0, z 0, w 1.";
 }
 
+bool is_near(const Manipulator& manipulator, const PoseSlice& section, const Pose& pose) noexcept {
+  constexpr double share = 0.01;  // of a turn, or of the robot's size
+  const TaskSpace space = manipulator.task_space();
+  const double whole = has_rotation(space) ? 2.0 * EIGEN_PI : manipulator.size();
+  return level_difference(space, section.level(), PoseSlice::through(space, pose).level()) <= share * whole;
+}
+
 std::string words_of(const Manipulator& manipulator, const ProbeFinding& finding) {
   const ProbeState& state = finding.state;
   if (!finding.reached) return "probe: " + state.status.message;
   const SingularityReport& report = state.report;
   std::string words = "probe: " + aspect_text(report.configuration) + ", " +
-                      branch_text(finding.question.mode, report.configuration.determinant_sign) + "\n" +
-                      distance_text("parallel", report.parallel_distance) + ", " +
-                      distance_text("serial", report.serial_distance) + ", " +
-                      distance_text("limit", report.limit_distance);
+                      branch_text(finding.question.mode, report.configuration.determinant_sign) + "\n";
+  if (finding.section)
+    words += PoseSlice::through(manipulator.task_space(), finding.reached->pose).text() +
+             ", but aspects are drawn at " + finding.section->text() + "\n";
+  words += distance_text("parallel", report.parallel_distance) + ", " +
+           distance_text("serial", report.serial_distance) + ", " +
+           distance_text("limit", report.limit_distance);
   if (finding.reached->distance > 0.0)
     words += "\nout of reach: it stays at the nearest pose found, " + with_unit(finding.reached->distance) +
              " from " + to_string(manipulator.task_space(), finding.question.wanted);

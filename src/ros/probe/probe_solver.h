@@ -4,6 +4,7 @@
 
 #include "aspects/pictures/palette.h"
 #include "motion/nearest_reachable.h"
+#include "parallel_aspects/aspects/pose_slice.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "ros/monitor/map_worker.h"
@@ -33,6 +34,7 @@ struct ProbeFinding {
   std::vector<JointVector> others;     ///< joint values of the same pose in the other working modes
   ProbeState state;                    ///< the same, to publish
   std::optional<Rgb> color;            ///< of the aspect that holds it, where that is known
+  std::optional<PoseSlice> section{};  ///< that aspects are drawn at, where the pose is beside it
 };
 
 /// Answers for the probe, apart from what the robot does. For one thread.
@@ -54,6 +56,9 @@ class ProbeSolver {
 
 /// Which number of a pose in the base frame cannot be used, as a sentence; empty where all can.
 std::string fault_of(const geometry_msgs::Pose& pose);
+
+/// Whether a section holds a pose, or passes it so near that both have the same colours.
+bool is_near(const Manipulator& manipulator, const PoseSlice& section, const Pose& pose) noexcept;
 
 /// What there is to say of the probe, in lines.
 std::string words_of(const Manipulator& manipulator, const ProbeFinding& finding);

@@ -4,6 +4,7 @@
 #include "rviz/display/ogre_types.h"
 
 #include <OgreMaterial.h>
+#include <OgreRenderQueue.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
 #include <algorithm>
@@ -17,11 +18,27 @@ constexpr double legend_height = 0.028, line_width = 0.004, outline_width = 0.00
 
 constexpr double selected_height = 1.6;  // over that of ids that are not
 
+// Over the height of words: of the halo that parts them from aspects of any colour, and from the background.
+constexpr float halo_width = 0.07F;
+constexpr std::uint32_t halo_color = 0xFAFAF8;
+// After robot, handle and the way to the singularity, which else hide the words.
+constexpr Ogre::uint8 halo_queue = Ogre::RENDER_QUEUE_9, words_queue = Ogre::RENDER_QUEUE_9 + 1;
+
 constexpr float own_light = 0.45F;  // of a body: share of its colour that no shadow takes
 
 void set_color(rviz::Object& object, std::uint32_t color, float opacity) {
   const Ogre::ColourValue value = ogre_color(color);
   object.setColor(value.r, value.g, value.b, opacity);
+}
+
+// The words in their place, and each copy below them to a side of its own.
+void set_height(const std::vector<std::unique_ptr<rviz::MovableText>>& copies, float height) {
+  for (std::size_t i = 0; i < copies.size(); ++i) {
+    copies[i]->setCharacterHeight(height);
+    if (i + 1 == copies.size()) continue;
+    const float across = i % 2 == 0 ? -1.0F : 1.0F, up = i / 2 == 0 ? -1.0F : 1.0F;
+    copies[i]->setLocalTranslation(halo_width * height * Ogre::Vector3(across, up, 0.0F));
+  }
 }
 
 // What is flat has its colour from wherever it is seen, so that it is that of the legend and of the table;
@@ -94,15 +111,23 @@ void DrawnPicture::add(const ColoredLines& lines, Ogre::SceneNode* node, double 
 }
 
 void DrawnPicture::add_text(const Label& label, Ogre::SceneNode* parent, double height, bool is_legend) {
-  auto text = std::make_unique<rviz::MovableText>(label.text, "Liberation Sans", static_cast<float>(height),
-                                                  ogre_color(label.color));
-  text->setTextAlignment(rviz::MovableText::H_CENTER,
-                         is_legend ? rviz::MovableText::V_ABOVE : rviz::MovableText::V_CENTER);
-  text->showOnTop(true);
-  Ogre::SceneNode* const node = parent->createChildSceneNode(ogre_vector(label.at));
-  node->attachObject(text.get());
-  if (label.aspect != 0) handles_.emplace_back(listeners_.of(label.aspect, false), node, context_);
-  texts_.push_back({std::move(text), node, label.aspect, height, is_legend});
+  Text text{{}, parent->createChildSceneNode(ogre_vector(label.at)), label.aspect, height, is_legend};
+  for (int side = 0; side < 4 && !is_legend; ++side) add_copy(label, halo_color, halo_queue, text);
+  add_copy(label, label.color, words_queue, text);
+  set_height(text.copies, static_cast<float>(height));
+  if (label.aspect != 0) handles_.emplace_back(listeners_.of(label.aspect, false), text.node, context_);
+  texts_.push_back(std::move(text));
+}
+
+void DrawnPicture::add_copy(const Label& label, std::uint32_t color, Ogre::uint8 queue, Text& text) {
+  auto copy = std::make_unique<rviz::MovableText>(label.text, "Liberation Sans",
+                                                  static_cast<float>(text.height), ogre_color(color));
+  copy->setTextAlignment(rviz::MovableText::H_CENTER,
+                         text.is_legend ? rviz::MovableText::V_ABOVE : rviz::MovableText::V_CENTER);
+  copy->showOnTop(true);
+  copy->setRenderQueueGroup(queue);
+  text.node->attachObject(copy.get());
+  text.copies.push_back(std::move(copy));
 }
 
 void DrawnPicture::set_look(const Look& look) {
@@ -116,7 +141,7 @@ void DrawnPicture::set_look(const Look& look) {
   for (const Text& text : texts_) {
     text.node->setVisible(text.is_legend ? look.legend : look.ids);
     const bool is_selected = text.aspect != 0 && text.aspect == look.selected;
-    text.text->setCharacterHeight(static_cast<float>((is_selected ? selected_height : 1.0) * text.height));
+    set_height(text.copies, static_cast<float>((is_selected ? selected_height : 1.0) * text.height));
   }
 }
 
@@ -125,7 +150,7 @@ void DrawnPicture::set_head(const std::string& head) {
   head_ = head;
   const std::string words = head + legend_.substr(std::min(legend_.find('\n'), legend_.size()));
   for (const Text& text : texts_)
-    if (text.is_legend) text.text->setCaption(words);
+    if (text.is_legend) text.copies.back()->setCaption(words);
 }
 
 void DrawnPicture::set_placement(const Ogre::Vector3& placement) { moving_->setPosition(placement); }

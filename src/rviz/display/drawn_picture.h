@@ -53,7 +53,7 @@ class DrawnPicture {
     bool is_flat, is_opaque;
   };
   struct Text {
-    std::unique_ptr<rviz::MovableText> text;
+    std::vector<std::unique_ptr<rviz::MovableText>> copies;  // the words last, on those that are their halo
     Ogre::SceneNode* node;
     int aspect;
     double height;  // while it is not selected [m]
@@ -64,6 +64,7 @@ class DrawnPicture {
   void add(const ColoredMesh& mesh, Ogre::SceneNode* node, bool is_cut);
   void add(const ColoredLines& lines, Ogre::SceneNode* node, double size);
   void add_text(const Label& label, Ogre::SceneNode* node, double height, bool is_legend);
+  static void add_copy(const Label& label, std::uint32_t color, Ogre::uint8 queue, Text& text);
 
   rviz::DisplayContext* context_;
   Ogre::SceneManager* scene_;

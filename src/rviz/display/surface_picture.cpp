@@ -97,7 +97,8 @@ class Composer {
     const TaskSpace space = robot_.task_space();
     picture_.radian = radian_of(robot_, choice);
     picture_.size = space == TaskSpace::SO3 ? 2.0 * pi * picture_.radian : robot_.size();
-    style_ = {picture_.radian, choice.aspect, choice.candidates, section()};
+    style_ = {picture_.radian, choice.aspect, choice.candidates, section(), std::nullopt};
+    if (present) style_.robot = drawn_point(space, *present, picture_.radian);
     picture_.is_cut = style_.section.has_value();
     box_ = choice.robot;
   }

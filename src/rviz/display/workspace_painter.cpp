@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -19,22 +20,28 @@ using Eigen::Vector3f;
 constexpr double below = 0.01;      // of the robot's size: planes lie behind its links
 constexpr double in_front = 0.002;  // of it: lines before the faces that they bound
 constexpr Rgb edge_color = 0xDDDDDD;
+constexpr std::size_t most_places = 500;  // that are looked at for a label
 
 Vector3d scale_of(TaskSpace space, double radian) {
   if (space == TaskSpace::SO3) return Vector3d::Constant(radian);
   return {1.0, 1.0, space == TaskSpace::SE2 ? radian : 1.0};
 }
 
-// The point of a face that is nearest to the middle of its points.
-Vector3f middle_of(const ColoredMesh& mesh) {
-  Vector3f middle = Vector3f::Zero();
-  for (const Vector3f& point : mesh.points) middle += point / static_cast<float>(mesh.points.size());
-  return *std::min_element(mesh.points.begin(), mesh.points.end(), [&](const auto& a, const auto& b) {
-    return (a - middle).squaredNorm() < (b - middle).squaredNorm();
-  });
-}
-
 }  // namespace
+
+Vector3f LabelRoom::roomiest(const std::optional<Vector3d>& robot) const {
+  const std::size_t step = std::max<std::size_t>(1, places.size() / most_places);
+  Vector3f best = places.front();
+  float most = -1.0F;
+  for (std::size_t i = 0; i < places.size(); i += step) {
+    float room = robot ? (places[i] - robot->cast<float>()).squaredNorm() : std::numeric_limits<float>::max();
+    for (const Vector3f& end : ends) room = std::min(room, (places[i] - end).squaredNorm());
+    if (room <= most) continue;
+    most = room;
+    best = places[i];
+  }
+  return best;
+}
 
 Vector3d drawn_point(TaskSpace space, const Pose& pose, double radian) {
   if (space == TaskSpace::T1 || space == TaskSpace::T2) return pose.position;
@@ -51,7 +58,7 @@ WorkspacePainter::WorkspacePainter(SurfaceStore& store, AspectPaint& paint, Work
 PicturePart WorkspacePainter::draw(const std::vector<int>& ids, std::size_t most_triangles, int cells,
                                    const std::atomic<bool>& cancelled) {
   part_ = {};
-  label_places_.clear();
+  rooms_.clear();
   if (space_ == TaskSpace::T2) {
     draw_plane(ids, cells);
   } else if (has_surfaces(store_.map())) {
@@ -82,7 +89,7 @@ void WorkspacePainter::draw_surface(int id, std::size_t most_triangles) {
     add_triangle(surface, t, normals, part.mesh, part.points);
   }
   for (auto& [key, part] : parts) {
-    if (part.mesh.is_flat) label_places_[id] = middle_of(part.mesh);
+    if (part.mesh.is_flat) add_room(part.mesh);
     part_.meshes.push_back(std::move(part.mesh));
   }
   if (cut) add_rim(surface, *style_.section);
@@ -119,6 +126,12 @@ void WorkspacePainter::add_triangle(const AspectSurface& surface, std::size_t t,
   mesh.triangles.push_back(indices);
 }
 
+void WorkspacePainter::add_room(const ColoredMesh& face) {
+  std::vector<Vector3f>& places = rooms_[face.aspect].places;
+  for (const auto& corners : face.triangles)
+    places.push_back((face.points[corners[0]] + face.points[corners[1]] + face.points[corners[2]]) / 3.0F);
+}
+
 // Around the faces of a section, in the colours of what the aspect ends at there.
 void WorkspacePainter::add_rim(const AspectSurface& surface, const HalfSpace& section) {
   std::map<BoundaryKind, ColoredLines> lines;
@@ -129,6 +142,7 @@ void WorkspacePainter::add_rim(const AspectSurface& surface, const HalfSpace& se
       to.ends.emplace_back((surface.mesh.points[end].cwiseProduct(scale_) + layer * forward).cast<float>());
   };
   for (const auto& edge : surface.rim) {
+    rooms_[surface.aspect].ends.push_back(surface.mesh.points[edge[0]].cwiseProduct(scale_).cast<float>());
     if (surface.aspect == style_.present) add(edge, 1.0, outline);
     const auto kind = surface.bounds[edge[0]] ? surface.bounds[edge[0]] : surface.bounds[edge[1]];
     if (!kind) continue;
@@ -160,6 +174,7 @@ void WorkspacePainter::draw_plane(const std::vector<int>& ids, int cells) {
         add_sliver(sliver, part_.meshes[found->second]);
     add_segments(traced.segments, {ids.begin(), ids.end()});
   }
+  for (const auto& [id, index] : meshes) add_room(part_.meshes[index]);
 }
 
 float WorkspacePainter::height(double layer) const {
@@ -188,6 +203,8 @@ void WorkspacePainter::add_segments(const std::vector<BoundarySegment>& segments
     if (std::none_of(ids.begin(), ids.end(), bounds)) continue;
     paint_.meet(segment.kind);
     add(segment, 2.0, lines[segment.kind]);
+    for (const int id : segment.aspects)
+      if (ids.count(id) != 0) rooms_[id].ends.push_back(lines[segment.kind].ends.back());
     if (style_.present != 0 && bounds(style_.present)) add(segment, 1.0, outline);
   }
   for (auto& [kind, found] : lines) {
@@ -200,19 +217,15 @@ void WorkspacePainter::add_segments(const std::vector<BoundarySegment>& segments
 void WorkspacePainter::add_label(int id) {
   const Aspect& aspect = store_.map().aspects()[static_cast<std::size_t>(id - 1)];
   Vector3d at = drawn_point(space_, aspect.deepest, style_.radian);
-  if (space_ == TaskSpace::T2) at.z() = height(4.0);
-  if (style_.section) {
-    const auto face = label_places_.find(id);
-    if (face == label_places_.end()) return;
-    at = face->second.cast<double>();
-  }
+  const auto room = rooms_.find(id);
+  if (room != rooms_.end() && !room->second.places.empty())
+    at = room->second.roomiest(style_.robot).cast<double>();
+  else if (style_.section)
+    return;
   std::string words = std::to_string(id);
   if (id == style_.present) words = set_word(space_) + " " + words;
   if (style_.candidates.count(id) != 0) words = set_word(space_) + " " + words + "?";
-  // What is not cut is more or less transparent, the present aspect less.
-  const double paleness = style_.section ? 0.0 : id == style_.present ? 0.25 : 0.55;
-  part_.labels.push_back(
-      {words, readable_on(lightened(paint_.color(id), paleness)), at.cast<float>(), 1.0, id});
+  part_.labels.push_back({words, ink_color, at.cast<float>(), 1.0, id});
 }
 
 // Aspects of several working modes, as of candidates, may be deepest at one place: one below the other there.

@@ -18,6 +18,17 @@ struct WorkspaceStyle {
   int present = 0;           ///< id of the present aspect, which has an outline; 0 where none is known
   std::set<int> candidates;  ///< ids that the robot may be in
   std::optional<HalfSpace> section;  ///< what is left of surfaces, in their coordinates; nothing for all
+  std::optional<Eigen::Vector3d> robot{};  ///< where it is among the points of the picture, if that is known
+};
+
+/// A flat face of an aspect, as a label sees it.
+struct LabelRoom {
+  std::vector<Eigen::Vector3f> places;  ///< in the middle of its pieces
+  std::vector<Eigen::Vector3f> ends;    ///< where it ends
+
+  /// The place that is farthest from its ends and from the robot, where words cover neither. Not for a face
+  /// without places.
+  Eigen::Vector3f roomiest(const std::optional<Eigen::Vector3d>& robot) const;
 };
 
 /// Where a pose is in the coordinates of the picture [m].
@@ -41,6 +52,7 @@ class WorkspacePainter {
   void draw_plane(const std::vector<int>& ids, int cells);
   void add_sliver(const BoundarySliver& sliver, ColoredMesh& mesh) const;
   void add_segments(const std::vector<BoundarySegment>& segments, const std::set<int>& ids);
+  void add_room(const ColoredMesh& face);
   void add_label(int id);
   void spread_labels();
   std::uint32_t triangle_color(const AspectSurface& surface, std::size_t t) const;
@@ -50,8 +62,8 @@ class WorkspacePainter {
   AspectPaint& paint_;
   const WorkspaceStyle style_;
   const TaskSpace space_;
-  const Eigen::Vector3d scale_;                  // of coordinates, to be metres
-  std::map<int, Eigen::Vector3f> label_places_;  // on faces of the section, by id
+  const Eigen::Vector3d scale_;     // of coordinates, to be metres
+  std::map<int, LabelRoom> rooms_;  // on flat faces, by id
   PicturePart part_;
 };
 

@@ -180,6 +180,12 @@ double share_of(double value, double scale) {
   return std::isnan(value) ? value : std::clamp(value / scale, 0.0, 1.0);
 }
 
+// Of a hazard that there is not the bar is empty: a full one would be of a distance beyond the scale.
+DistanceBounds drawn_bounds(DistanceBounds bounds) {
+  if (std::isinf(bounds.lower)) bounds.lower = bounds.upper = 0.0;
+  return bounds;
+}
+
 DistanceGauge gauge_of(const NodeView& view, Hazard hazard, double scale) {
   const LevelThresholds& thresholds = view.thresholds[static_cast<std::size_t>(hazard)];
   DistanceBounds bounds;
@@ -189,8 +195,9 @@ DistanceGauge gauge_of(const NodeView& view, Hazard hazard, double scale) {
   DistanceGauge gauge;
   gauge.name = name_of(hazard);
   gauge.tone = tone_of(bounds, thresholds);
-  gauge.lower = share_of(bounds.lower, scale);
-  gauge.upper = share_of(bounds.upper, scale);
+  const DistanceBounds drawn = drawn_bounds(bounds);
+  gauge.lower = share_of(drawn.lower, scale);
+  gauge.upper = share_of(drawn.upper, scale);
   gauge.warn = share_of(thresholds.warn, scale);
   gauge.stop = share_of(thresholds.stop, scale);
   gauge.text = text_of(bounds);

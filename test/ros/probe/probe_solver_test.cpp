@@ -108,6 +108,24 @@ TEST_F(ProbeOfFiveBar, SaysThatThereIsNoMapYet) {
             std::string::npos);
 }
 
+// The colours under the probe are then those of other poses.
+TEST(Probe, SaysThatAspectsAreDrawnAtAnotherAngle) {
+  const auto robot = test::shipped("three_rrr")->manipulator();
+  const AssembledConfiguration start = test::shipped("three_rrr")->assembled();
+  ProbeFinding found = ProbeSolver(robot).find(
+      {start.pose, *working_mode(*robot, start.pose, start.q), false}, {}, ros::Time(1.0));
+  ASSERT_TRUE(found.reached);
+  EXPECT_EQ(words_of(*robot, found).find("drawn at"), std::string::npos);
+  const double phi = PoseSlice::through(TaskSpace::SE2, start.pose).level();
+  found.section = PoseSlice(TaskSpace::SE2, phi + 0.5);
+  const std::string expected = PoseSlice(TaskSpace::SE2, phi).text() + ", but aspects are drawn at " +
+                               PoseSlice(TaskSpace::SE2, phi + 0.5).text();
+  EXPECT_NE(words_of(*robot, found).find(expected), std::string::npos) << words_of(*robot, found);
+  EXPECT_TRUE(is_near(*robot, PoseSlice(TaskSpace::SE2, phi + 0.01), start.pose));
+  EXPECT_TRUE(is_near(*robot, PoseSlice(TaskSpace::SE2, phi + 2.0 * EIGEN_PI), start.pose)) << "a turn on";
+  EXPECT_FALSE(is_near(*robot, PoseSlice(TaskSpace::SE2, phi + 0.1), start.pose));
+}
+
 TEST(Probe, OfSixDegreesOfFreedomHasNoMap) {
   const auto mechanism = test::shipped("stewart");
   const AssembledConfiguration start = mechanism->assembled();

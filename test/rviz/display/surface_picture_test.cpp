@@ -123,6 +123,27 @@ TEST(SurfacePicture, PlanesAreFilledAsFarAsTheMapSays) {
   EXPECT_NE(picture.legend.text.find("not known"), std::string::npos) << picture.legend.text;
 }
 
+// Links and the handle stand at the robot, and beyond its ends the words of an aspect are on nothing.
+TEST(SurfacePicture, LabelsKeepOffTheRobotAndTheEndsOfTheirAspects) {
+  for (SurfaceStore* const store : {&five_bar_store(), &three_rrr_store()}) {
+    const Aspect& aspect = store->map().aspects().front();
+    PictureChoice choice = in_aspect(store->map(), aspect.id);
+    choice.section = Section::at_robot;
+    const SurfacePicture picture = draw_surfaces(*store, choice, aspect.deepest, not_cancelled);
+    const Eigen::Vector3d robot = drawn_point(store->robot().task_space(), aspect.deepest, picture.radian);
+    const auto present = std::find_if(picture.moving.labels.begin(), picture.moving.labels.end(),
+                                      [&](const Label& label) { return label.aspect == aspect.id; });
+    ASSERT_NE(present, picture.moving.labels.end());
+    double to_end = 1e9;
+    for (const ColoredLines& lines : picture.moving.lines)
+      for (const Eigen::Vector3f& end : lines.ends)
+        to_end = std::min(to_end, double{(end - present->at).norm()});
+    EXPECT_GT((present->at.cast<double>() - robot).norm(), 0.08 * picture.size) << store->robot().name();
+    EXPECT_GT(to_end, 0.04 * picture.size) << store->robot().name();
+    for (const Label& label : picture.moving.labels) EXPECT_EQ(label.color, ink_color) << label.text;
+  }
+}
+
 TEST(SurfacePicture, ASectionAtTheRobotLeavesWhatIsBelowIt) {
   const AspectMap& map = three_rrr();
   const Aspect& aspect = map.aspects().front();

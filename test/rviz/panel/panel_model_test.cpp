@@ -159,6 +159,8 @@ TEST(PanelModel, DrawsDistancesOnOneScale) {
   EXPECT_EQ(gauges[0].text, "0.3 m, shrinks 0.05 m/s");
   EXPECT_EQ(gauges[1].text, "0.5 m");
   EXPECT_EQ(gauges[2].text, "none");
+  EXPECT_EQ(gauges[2].lower, 0.0) << "an empty bar";
+  EXPECT_EQ(gauges[2].upper, 0.0);
   EXPECT_EQ(gauges[2].lower, 1.0);
   EXPECT_EQ(gauges[2].tone, Tone::clear);
   for (const DistanceGauge& each : {gauges[0], gauges[1]}) {
