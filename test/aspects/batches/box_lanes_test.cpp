@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/batches/box_requests.h"
-
 #include "aspects/boxes/box_intervals.h"
 #include "aspects/map/map_contents.h"
 #include "parallel_aspects/aspects/aspect_map.h"
