@@ -19,7 +19,6 @@ namespace {
 // Of the size of the robot: what CAD rounds, and what is near.
 constexpr double coincident = 1e-4;
 constexpr double near = 0.02;
-constexpr double distinct = 3.0;  // the second nearest is so many times farther
 
 constexpr std::size_t max_hubs = 4;
 constexpr std::size_t max_orders = 24;  // of ends that nothing tells apart
@@ -67,7 +66,8 @@ class EndFinder {
   // All others that are tried.
   std::vector<EqualPairings> others() {
     if (!begin()) return {};
-    add(in_one_point(anchors_, tips_));
+    const EqualPairings pairs = neighbours();
+    add(pairs.empty() ? in_one_point(anchors_, tips_) : pairs);
     add_orders();
     add(shared_orders(anchors_, tips_, carried_anchor()));
     return result_.pairings;
@@ -311,6 +311,17 @@ class EndFinder {
 
   void add(EqualPairings pairings) {
     if (!pairings.empty()) result_.pairings.push_back(std::move(pairings));
+  }
+
+  // Where no end looks like a platform, and all chains stop at their last joint.
+  EqualPairings neighbours() const {
+    std::vector<std::size_t> ends;
+    for (const Body& body : terminal_) ends.push_back(body.ends.front());
+    const bool any_platform = std::any_of(ends.begin(), ends.end(), [this](std::size_t link) {
+      return operational_point_likeness(tree_.links[link]) > 0;
+    });
+    if (any_platform || result_.blunt != ends) return {};
+    return two_by_two(ends, [this](std::size_t one, std::size_t other) { return distance(one, other); });
   }
 
   // Each order of the anchors, where there are few.

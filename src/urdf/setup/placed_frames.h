@@ -25,10 +25,6 @@ std::optional<PlacedFrame> placed_frame(const std::string& text);
 /// text, or where that link is missing.
 void add_placed_frame(Tree& tree, const std::string& text);
 
-/// Adds the far ends of links that end a chain and have none, where others of the same name but for its
-/// number have theirs, all at one place. Whether there were any.
-bool add_far_ends(Tree& tree);
-
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_SETUP_PLACED_FRAMES_H

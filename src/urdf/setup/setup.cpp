@@ -16,6 +16,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -210,6 +211,7 @@ class Setup {
     if (result_.question) return result_;
     std::optional<ClosedResult> first;
     for (const EqualPairings& equals : ends.pairings) {
+      if (are_all_blunt(ends)) break;
       if (try_equals(equals, ends, first)) return result_;
       if (&equals == &ends.pairings.front() && equals.size() == 1 && blunt_ends(ends).empty() &&
           !ends.may_have_finger && corrects(*first, ends))
@@ -243,17 +245,32 @@ class Setup {
                                ", and those that are in no loop are left out.";
   }
 
-  // Links that what was tried first holds at their own joint.
+  // Links that what was tried first holds at their own joint; with them, those that several chains end at.
   std::vector<std::size_t> blunt_ends(const OpenEnds& ends) const {
-    std::vector<std::size_t> links;
-    for (const EndPair& pair : first_pairs(ends))
-      for (const std::size_t link : {pair.one, pair.other})
-        if (is_blunt(ends, link) && std::count(links.begin(), links.end(), link) == 0) links.push_back(link);
-    return links;
+    const std::vector<EndPair> pairs = first_pairs(ends);
+    std::vector<std::size_t> blunt, links;
+    std::map<std::size_t, int> closures;
+    for (const EndPair& pair : pairs)
+      for (const std::size_t link : {pair.one, pair.other}) {
+        if (++closures[link] > 1) continue;
+        links.push_back(link);
+        if (contains(ends.blunt, link)) blunt.push_back(link);
+      }
+    for (const std::size_t link : links)
+      if (!blunt.empty() && closures[link] > 1 && !contains(blunt, link)) blunt.push_back(link);
+    return blunt;
   }
 
-  static bool is_blunt(const OpenEnds& ends, std::size_t link) {
-    return std::count(ends.blunt.begin(), ends.blunt.end(), link) > 0;
+  static bool contains(const std::vector<std::size_t>& links, std::size_t link) {
+    return std::find(links.begin(), links.end(), link) != links.end();
+  }
+
+  // Rods without any length make no robot.
+  bool are_all_blunt(const OpenEnds& ends) const {
+    const std::vector<EndPair> pairs = first_pairs(ends);
+    return std::all_of(pairs.begin(), pairs.end(), [&](const EndPair& pair) {
+      return contains(ends.blunt, pair.one) && contains(ends.blunt, pair.other);
+    });
   }
 
   // Where nothing was tried, each end with what may be the platform.
@@ -282,32 +299,22 @@ class Setup {
     result_.cut_short = result_.cut_short || cut_short;
     if (found.empty()) return false;
     const bool only_one = found.size() == 1 && !(cut_short && equals.size() > 1);
-    if (only_one && !is_placed(found.front().first)) {
+    if (only_one) {
       take(std::move(found.front().second));
       return true;
     }
-    SetupQuestion question{"closures", source_.files.urdf + why_to_ask(found.size(), only_one), {}, {}};
+    SetupQuestion question{"closures", source_.files.urdf + why_to_ask(found.size()), {}, {}};
     for (auto& [candidate, closed] : found) question.candidates.push_back(candidate);
     result_.question = question;
     return true;
   }
 
-  static std::string why_to_ask(std::size_t found, bool only_one) {
-    if (only_one)
-      return " has links without a frame at their far end; with the lengths of those that have one it loads";
+  static std::string why_to_ask(std::size_t found) {
     if (found == 1)
       return " does not tell which open ends meet; the search ended before all ways to close the loops were "
              "tried, and of those that were one loads";
     return " does not tell which open ends meet: equally much speaks for " + std::to_string(found) +
            " ways to close the loops";
-  }
-
-  // Whether the length of a link was taken from others.
-  static bool is_placed(const SetupCandidate& closures) {
-    return std::any_of(closures.values.begin(), closures.values.end(), [](const std::string& pair) {
-      const std::size_t middle = pair.find('=');
-      return placed_frame(pair.substr(0, middle)) || placed_frame(pair.substr(middle + 1));
-    });
   }
 
   void ask_for_closures(const OpenEnds& ends) {
@@ -322,7 +329,7 @@ class Setup {
         "closures", source_.files.urdf + " does not tell where its loops are closed", {}, {}};
     const std::vector<std::size_t> blunt = blunt_ends(ends);
     for (const EndPair& pair : first_pairs(ends))
-      question.example.push_back(example_of(pair.one, ends) + "=" + example_of(pair.other, ends));
+      question.example.push_back(example_of(pair.one, blunt) + "=" + example_of(pair.other, blunt));
     if (!blunt.empty())
       question.text += "; " + ends_of_chains(blunt) +
                        " no frame at the far end: give each place in the frame of its link as X:Y:Z [m]";
@@ -335,8 +342,8 @@ class Setup {
     result_.question = question;
   }
 
-  std::string example_of(std::size_t link, const OpenEnds& ends) const {
-    return tree_.links[link] + (is_blunt(ends, link) ? "@X:Y:Z" : "");
+  std::string example_of(std::size_t link, const std::vector<std::size_t>& blunt) const {
+    return tree_.links[link] + (contains(blunt, link) ? "@X:Y:Z" : "");
   }
 
   // "links 'a', 'b' end chains and have"
@@ -381,8 +388,7 @@ SetupResult set_up(const std::string& urdf_text, const std::string& urdf_name, c
   const YAML::Node no_config(YAML::NodeType::Map);
   const SourceNames files{urdf_name, config_name};
   const LoopSource source{*document.FirstChildElement("robot"), no_config, *tree, files};
-  const auto find = [&] { return Setup(*tree, source, answers, control, urdf_text).find(); };
-  SetupResult found = find();
+  SetupResult found = Setup(*tree, source, answers, control, urdf_text).find();
   if (answers.closures.empty() && answers.base_link.empty()) {
     SetupAnswers with_leg = answers;
     with_leg.closures = ends_on_root(*tree, Bodies(*tree), found);
@@ -390,10 +396,7 @@ SetupResult set_up(const std::string& urdf_text, const std::string& urdf_name, c
         set_up(urdf_text, urdf_name, config_name, with_leg, control).problems.empty())
       found.question = question_of_leg(found, with_leg.closures, urdf_name);
   }
-  const bool asks_for_places = found.question && found.question->candidates.empty();
-  if (!asks_for_places || !add_far_ends(*tree)) return found;
-  SetupResult with_places = find();
-  return with_places.problems.empty() ? with_places : found;
+  return found;
 }
 
 }  // namespace parallel_aspects

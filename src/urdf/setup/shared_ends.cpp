@@ -7,8 +7,10 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t max_anchors = 3;  // in which two chains meet each
-constexpr std::size_t crowd = 4;        // of closures in one place, with the leg that carries it five legs
+constexpr std::size_t max_anchors = 3;       // in which two chains meet each
+constexpr double same_place = 1e-6;          // [m]
+constexpr std::size_t max_in_one_point = 3;  // chains
+constexpr std::size_t crowd = 4;  // of closures in one place, with the leg that carries it five legs
 
 bool all_hold(const std::vector<EndPair>& pairs, std::size_t link) {
   return std::all_of(pairs.begin(), pairs.end(),
@@ -20,6 +22,29 @@ std::optional<std::size_t> crowded_link(const std::vector<EndPair>& pairs) {
   for (const std::size_t link : {pairs.front().one, pairs.front().other})
     if (all_hold(pairs, link)) return link;
   return std::nullopt;
+}
+
+// Nothing where a second one is not much farther.
+std::optional<std::size_t> neighbour(std::size_t end, std::vector<std::size_t> ends,
+                                     const DistanceOfEnds& distance) {
+  ends.erase(std::find(ends.begin(), ends.end(), end));
+  std::partial_sort(ends.begin(), ends.begin() + 2, ends.end(), [&](std::size_t one, std::size_t two) {
+    return distance(end, one) < distance(end, two);
+  });
+  const bool is_told = distinct * distance(end, ends[0]) < distance(end, ends[1]);
+  return is_told ? std::optional<std::size_t>(ends[0]) : std::nullopt;
+}
+
+// Whether its origin is a knee, on a crank, and not the far end of a rod, which two joints move at least.
+bool is_at_knee(const Tree& tree, std::size_t link) {
+  int moving = 0;
+  double off = 0.0;
+  for (auto above = tree.joint_above[link]; above; above = tree.joint_above[tree.joints[*above].parent]) {
+    const TreeJoint& joint = tree.joints[*above];
+    if (joint.variable && (off > same_place || joint.motion == JointMotion::prismatic)) ++moving;
+    off += joint.origin.translation().norm();
+  }
+  return moving < 2;
 }
 
 }  // namespace
@@ -65,6 +90,17 @@ EqualPairings shared_orders(std::vector<std::size_t> anchors,
   return orders;
 }
 
+EqualPairings two_by_two(const std::vector<std::size_t>& ends, const DistanceOfEnds& distance) {
+  if (ends.size() <= max_in_one_point) return {};
+  Pairing pairing{{}, "their last joints are nearest to each other while all joints are zero"};
+  for (const std::size_t end : ends) {
+    const auto other = neighbour(end, ends, distance);
+    if (!other || neighbour(*other, ends, distance) != end) return {};
+    if (end < *other) pairing.pairs.push_back({end, *other, ""});
+  }
+  return {pairing};
+}
+
 std::optional<SetupQuestion> question_of_places(const Tree& tree, const OpenEnds& ends,
                                                 const std::string& urdf_name) {
   if (ends.pairings.empty() || ends.pairings.front().size() != 1) return std::nullopt;
@@ -72,16 +108,26 @@ std::optional<SetupQuestion> question_of_places(const Tree& tree, const OpenEnds
   const auto link = crowded_link(pairs);
   if (!link) return std::nullopt;
   const std::string& name = tree.links[*link];
+  const auto is_rod = [&](std::size_t end) {
+    return std::count(ends.blunt.begin(), ends.blunt.end(), end) > 0 && is_at_knee(tree, end);
+  };
+  const bool any_rod = std::any_of(pairs.begin(), pairs.end(), [&](const EndPair& pair) {
+    return is_rod(pair.one == *link ? pair.other : pair.one);
+  });
   SetupQuestion question{
       "closures",
       urdf_name + " does not tell where its loops are closed; " + std::to_string(pairs.size()) +
-          " chains end at link '" + name +
-          "', which has no frames for them: give the place of each in the frame of '" + name +
-          "' as X:Y:Z [m]; ends that are in no loop, as fingers, are left out of --closures",
+          " chains end at link '" + name + "', which has no frames for them" +
+          (any_rod
+               ? ", and their rods have none at the far end: give the place of each in the frame of its link"
+               : ": give the place of each in the frame of '" + name + "'") +
+          " as X:Y:Z [m]; ends that are in no loop, as fingers, are left out of --closures",
       {},
       {}};
-  for (const EndPair& pair : pairs)
-    question.example.push_back(name + "@X:Y:Z=" + tree.links[pair.one == *link ? pair.other : pair.one]);
+  for (const EndPair& pair : pairs) {
+    const std::size_t end = pair.one == *link ? pair.other : pair.one;
+    question.example.push_back(name + "@X:Y:Z=" + tree.links[end] + (is_rod(end) ? "@X:Y:Z" : ""));
+  }
   return question;
 }
 

@@ -6,6 +6,7 @@
 #include "urdf/setup/setup.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,15 @@ EqualPairings in_one_point(const std::vector<std::size_t>& anchors,
 EqualPairings shared_orders(std::vector<std::size_t> anchors,
                             const std::vector<std::vector<std::size_t>>& tips,
                             std::optional<std::size_t> carried);
+
+/// How many times farther a second end is than the nearest, where positions tell which is meant.
+inline constexpr double distinct = 3.0;
+
+using DistanceOfEnds = std::function<double(std::size_t, std::size_t)>;
+
+/// More chains than meet in one point, two each whose ends are by far the nearest to each other, as those of
+/// several five-bars on one body.
+EqualPairings two_by_two(const std::vector<std::size_t>& ends, const DistanceOfEnds& distance);
 
 /// For the places of chains, where the first way to close the loops holds so many of them, five legs or more,
 /// at one link that each needs a place of its own there; else nothing.

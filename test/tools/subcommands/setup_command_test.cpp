@@ -154,13 +154,14 @@ TEST_F(SetupCommand, ReportsTheFileThatExistsLast) {
   EXPECT_EQ(written(), "mine\n");
 }
 
-// As it stands in the question.
+// Typed in for the letters that the question shows.
 TEST_F(SetupCommand, TakesAPlaceInALink) {
   const std::string half = urdf("test/data/setup/half_blunt_three_rrr.urdf");
   const Outcome asked = run({"setup", half.c_str(), "-o", output_.c_str()});
   EXPECT_EQ(asked.code, exit_code::undecided);
+  const std::string shown = "corner_1=shank_1_end corner_2=shank_2@X:Y:Z corner_3=shank_3@X:Y:Z";
+  EXPECT_NE(asked.messages.find("--closures '" + shown + "'"), std::string::npos) << asked.messages;
   const std::string closures = "corner_1=shank_1_end corner_2=shank_2@0.28:0:0 corner_3=shank_3@0.28:0:0";
-  EXPECT_NE(asked.messages.find("--closures '" + closures + "'"), std::string::npos) << asked.messages;
   const Outcome found = run({"setup", half.c_str(), "-o", output_.c_str(), "--closures", closures.c_str()});
   EXPECT_EQ(found.code, exit_code::ok) << found.messages;
   EXPECT_EQ(run({"describe", "--urdf", half.c_str(), "--config", output_.c_str()}).code, exit_code::ok);

@@ -9,6 +9,7 @@
 #include "support/descriptions.h"
 #include "support/shipped.h"
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <regex>
 #include <string>
@@ -36,16 +37,17 @@ Strings filled(Strings pairs, const Strings& places) {
   return pairs;
 }
 
-// Of rods and corners without links, in one question; the length of one rod is known from another.
+// Of rods and corners without links, in one question.
 TEST(Setup, AsksAtOnceForAllPlacesThatHaveNoLink) {
   const std::string blunt = urdf_of("blunt_three_rrr");
   const SetupResult one = set_up_text(blunt);
   ASSERT_TRUE(one.question) << listed(one.problems);
-  EXPECT_NE(one.question->text.find("'platform' ends a chain"), std::string::npos) << one.question->text;
+  EXPECT_NE(one.question->text.find("'platform', 'rod_2', 'rod_3' end chains"), std::string::npos)
+      << one.question->text;
   EXPECT_TRUE(one.question->candidates.empty());
-  EXPECT_EQ(one.question->example, (Strings{"platform@X:Y:Z=rod_2@0.4:0:0", "platform@X:Y:Z=rod_3@0.4:0:0"}));
-  const SetupResult corrected =
-      set_up_text(blunt, with_closures(filled(one.question->example, {"0.2:0:0", "0.1:0.2:0"})));
+  EXPECT_EQ(one.question->example, (Strings{"platform@X:Y:Z=rod_2@X:Y:Z", "platform@X:Y:Z=rod_3@X:Y:Z"}));
+  const SetupResult corrected = set_up_text(
+      blunt, with_closures(filled(one.question->example, {"0.2:0:0", "0.4:0:0", "0.1:0.2:0", "0.4:0:0"})));
   ASSERT_TRUE(corrected.mechanism) << listed(corrected.problems);
   EXPECT_EQ(corrected.mechanism->manipulator()->task_space(), TaskSpace::SE2);
   const std::string hung = test::source_file("test/data/chains/three_rrr_on_slides.urdf");
@@ -59,18 +61,54 @@ TEST(Setup, AsksAtOnceForAllPlacesThatHaveNoLink) {
   EXPECT_EQ(found.mechanism->manipulator()->task_space(), TaskSpace::SE2);
 }
 
-// It is no more than likely that all rods are of one length, so it is asked.
-TEST(Setup, OffersTheLengthOfOtherRods) {
-  const std::string urdf = urdf_of("half_blunt_three_rrr");
-  const SetupResult asked = set_up_text(urdf);
-  ASSERT_TRUE(asked.question) << listed(asked.problems);
-  ASSERT_EQ(asked.question->candidates.size(), 1U) << asked.question->text;
-  const Strings offered{"corner_1=shank_1_end", "corner_2=shank_2@0.28:0:0", "corner_3=shank_3@0.28:0:0"};
-  EXPECT_EQ(asked.question->candidates.front().values, offered);
-  const SetupResult found = set_up_text(urdf, with_closures(offered));
+// Rods may be of one length or not, and the plate of the hexapod is beside the pin that carries it.
+TEST(Setup, NeverTakesALengthOfAnotherLink) {
+  const std::string half = urdf_of("half_blunt_three_rrr");
+  const SetupResult rods = set_up_text(half);
+  ASSERT_TRUE(rods.question) << listed(rods.problems);
+  EXPECT_TRUE(rods.question->candidates.empty());
+  EXPECT_EQ(rods.question->example,
+            (Strings{"corner_1=shank_1_end", "corner_2=shank_2@X:Y:Z", "corner_3=shank_3@X:Y:Z"}));
+  const SetupResult found =
+      set_up_text(half, with_closures(filled(rods.question->example, {"0.28:0:0", "0.28:0:0"})));
   ASSERT_TRUE(found.mechanism) << listed(found.problems);
   EXPECT_NE(found.config.find("{link: shank_2, xyz: [0.28, 0, 0]}"), std::string::npos) << found.config;
   EXPECT_NEAR(found.mechanism->manipulator()->leg(1).rod_length, 0.28, 1e-12);
+  const SetupResult plate = set_up_text(urdf_of("pinned_hexapod"));
+  ASSERT_TRUE(plate.question) << listed(plate.problems);
+  EXPECT_TRUE(plate.question->candidates.empty());
+  EXPECT_EQ(plate.question->example, (Strings{"plate@X:Y:Z=pin_2", "plate@X:Y:Z=pin_3", "plate@X:Y:Z=pin_4",
+                                              "plate@X:Y:Z=pin_5", "plate@X:Y:Z=pin_6"}));
+}
+
+// Its legs are as long as each other, as they are drawn.
+TEST(Setup, FindsTheHexapodFromTheAnswerThatItAsksFor) {
+  const std::string urdf = urdf_of("pinned_hexapod");
+  const SetupResult asked = set_up_text(urdf);
+  ASSERT_TRUE(asked.question) << listed(asked.problems);
+  const SetupResult found = set_up_text(
+      urdf, with_closures(filled(asked.question->example,
+                                 {"0.115080:0.125126:0", "0.050823:0.162225:0", "-0.165903:0.037099:0",
+                                  "-0.165903:-0.037099:0", "0.050823:-0.162225:0"})));
+  ASSERT_TRUE(found.mechanism) << listed(found.problems);
+  for (const Leg& leg : found.mechanism->manipulator()->legs())
+    EXPECT_NEAR(std::sqrt(leg.squared_distance(0.0)), 0.25 / 0.909512, 1e-5) << leg.name;
+}
+
+TEST(Setup, AsksForBothEndsOfRodsThatManyChainsHave) {
+  const SetupResult delta = set_up_text(urdf_of("bare_rods"));
+  ASSERT_TRUE(delta.question) << listed(delta.problems);
+  ASSERT_FALSE(delta.question->example.empty());
+  EXPECT_EQ(delta.question->example.back(), "platform@X:Y:Z=rod_3@X:Y:Z");
+  EXPECT_NE(delta.question->text.find("their rods have none"), std::string::npos) << delta.question->text;
+  const SetupResult hopper = set_up_text(urdf_of("hopper"));
+  ASSERT_TRUE(hopper.question) << listed(hopper.problems);
+  Strings pairs;
+  for (const char* leg : {"front_left", "front_right", "rear_left", "rear_right"}) {
+    const std::string lower = "lower_" + std::string(leg);
+    pairs.push_back(lower + "_inner@X:Y:Z=" + lower + "_outer@X:Y:Z");
+  }
+  EXPECT_EQ(hopper.question->example, pairs) << hopper.question->text;
 }
 
 // Also where time did not suffice to try them.
