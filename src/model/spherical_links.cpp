@@ -10,7 +10,8 @@
 namespace parallel_aspects {
 namespace {
 
-// Of lengths on the unit sphere; far above rounding, and it decides only how a leg is shown.
+// Of lengths on the unit sphere, where a loader puts legs whose axes it takes as meeting: far above what
+// rounding leaves there.
 constexpr double tolerance = 1e-9;
 
 std::optional<SphericalLinks> links_of(const RevoluteActuation& crank, const Leg& leg) noexcept {

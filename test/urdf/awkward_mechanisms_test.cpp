@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/spherical_links.h"
+
 #include <gtest/gtest.h>
 #include <tinyxml2.h>
 
 #include "support/descriptions.h"
 #include <cmath>
+#include <iomanip>
 #include <regex>
+#include <sstream>
 
 // Robots as people write them: tilted, turned round, rounded, with joints in other places than in the shipped
 // files.
@@ -279,6 +283,43 @@ TEST(AwkwardMechanism, HasRoundedAngles) {
   EXPECT_NEAR(revolute(*mechanism, 1).radius, 5.0, 1e-3);
   EXPECT_NEAR(revolute(*mechanism, 1).axis.z(), -1.0, 1e-12);
   EXPECT_EQ(test::open_loops(*mechanism), 0);
+}
+
+// Every number of an attribute with so many digits.
+std::string with_digits(const std::string& urdf, const std::string& attribute, int digits) {
+  std::string result;
+  std::size_t from = 0;
+  const std::string start = attribute + "=\"";
+  for (std::size_t at = urdf.find(start); at != std::string::npos; at = urdf.find(start, from)) {
+    at += start.size();
+    const std::size_t end = urdf.find('"', at);
+    std::istringstream numbers(urdf.substr(at, end - at));
+    std::ostringstream text;
+    text << std::setprecision(digits);
+    for (double number = 0.0; numbers >> number;) text << number << ' ';
+    result += urdf.substr(from, at - from) + text.str();
+    from = end;
+  }
+  return result + urdf.substr(from);
+}
+
+// Its links are angles, whatever rounding leaves of where its axes meet.
+TEST(AwkwardMechanism, HasAxesThatMeetToWithinItsDigits) {
+  const std::string urdf = test::source_file("test/data/chains/wrist_of_long_numbers.urdf");
+  for (const int digits : {5, 6, 7, 9, 12, 17}) {
+    const auto mechanism =
+        test::load(with_digits(with_digits(urdf, "xyz", digits), "rpy", digits),
+                   "mechanism: {operational_point: tool, actuated_joints: [motor_1, motor_2, motor_3]}");
+    const Manipulator& wrist = *mechanism->manipulator();
+    ASSERT_TRUE(moves_on_unit_sphere(wrist)) << digits;
+    const double off = 30.0 * std::pow(0.1, digits) + 1e-12;
+    for (const Leg& leg : wrist.legs()) {
+      EXPECT_NEAR(leg.anchor.norm(), 1.0, 1e-13) << digits;
+      EXPECT_NEAR(spherical_links(leg)->crank, EIGEN_PI / 3.0, off) << digits;
+      EXPECT_NEAR(spherical_links(leg)->rod, EIGEN_PI / 2.4, off) << digits;
+    }
+    EXPECT_EQ(test::open_loops(*mechanism), 0) << digits;
+  }
 }
 
 }  // namespace

@@ -126,6 +126,7 @@ class ChainRecogniser {
     found.distal = distal;
     found.c = *c;
     found.p = *p;
+    found.on_unit_sphere = is_drawn(proximal) && is_drawn(distal) && found.actuated_first;
     found.proximal_center = center_of(proximal, *c);
     found.distal_center = center_of(distal, *p);
     return true;
@@ -146,10 +147,19 @@ class ChainRecogniser {
       return point ? point : meeting_point(group);
     }
     if (motion_.space != TaskSpace::SO3) return meeting_point(group);
-    const auto drawn = common(group, [this](const Pivot& pivot) { return on_sphere(pivot); });
+    const auto drawn = drawn_tip(group);
     const auto true_end = meeting_point(group);
     const bool is_beside = true_end && !same(*true_end, motion_.task_frame.translation());
     return is_beside && !(rod_is_rigid && drawn) ? true_end : drawn;
+  }
+
+  std::optional<Vector3d> drawn_tip(const Chain& group) const {
+    return common(group, [this](const Pivot& pivot) { return on_sphere(pivot); });
+  }
+
+  // Where the rod is rigid, such a tip is taken before a true one.
+  bool is_drawn(const Chain& group) const {
+    return motion_.space == TaskSpace::SO3 && drawn_tip(group).has_value();
   }
 
   // A point on the axes of all pivots of the group.
@@ -232,7 +242,9 @@ class LegBuilder {
     leg.actuated_joint = chain.actuation.name;
     leg.limits = setting_.limits;
     leg.anchor = flat(motion_.platform.inverse() * chain.p);
-    const Vector3d c = point(chain.c), p = point(chain.p);
+    Vector3d c = point(chain.c), p = point(chain.p);
+    if (chain.on_unit_sphere)
+      for (Vector3d* each : {&leg.anchor, &c, &p}) each->normalize();
     const auto actuation =
         chain.actuated_first ? moving_joint(chain.actuation, c) : rod_joint(chain.actuation, c, p);
     if (!actuation) return std::nullopt;
@@ -278,7 +290,9 @@ class LegBuilder {
     const Vector3d on_axis = point(actuation.point);
     if (motion_.space == TaskSpace::SO3 && on_axis.cross(*direction).norm() > tolerance())
       return fail("is actuated about an axis that misses the centre of the spherical motion");
-    const Vector3d center = on_axis + *direction * direction->dot(c - on_axis);
+    // What it misses the center by was taken for rounding above; the model has none of it.
+    const Vector3d through = motion_.space == TaskSpace::SO3 ? Vector3d(Vector3d::Zero()) : on_axis;
+    const Vector3d center = through + *direction * direction->dot(c - through);
     const Vector3d arm = c - center;
     if (arm.norm() < tolerance()) return fail("has a crank of length zero");
     const Vector3d zero = Eigen::AngleAxisd(-setting_.joint_value, *direction) * arm.normalized();

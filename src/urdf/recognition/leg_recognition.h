@@ -23,6 +23,9 @@ struct SplitChain {
   Pivot actuation;
   bool actuated_first =
       true;  ///< the actuated joint moves c; otherwise it is between the groups and changes |p - c|
+  /// Whether all its axes were accepted as meeting in the center of a spherical motion: c and p are then
+  /// drawn on the sphere of radius 1 m about it, where lengths stand for angles.
+  bool on_unit_sphere = false;
   Eigen::Vector3d c = Eigen::Vector3d::Zero();                ///< proximal point [m]
   Eigen::Vector3d p = Eigen::Vector3d::Zero();                ///< anchor [m]
   Eigen::Vector3d proximal_center = Eigen::Vector3d::Zero();  ///< on all axes of `proximal` [m]
