@@ -54,7 +54,7 @@ std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to
 
 std::vector<Pose> AspectPaths::find_any(const Aspect& aspect, const Pose& from, const Pose& to,
                                         double wanted_index) {
-  std::vector<Pose> path = find_through_leaves(aspect, from, to, false, wanted_index);
+  std::vector<Pose> path = find_through_leaves(aspect, from, to, Beside::nothing, wanted_index);
   return path.empty() ? find_between_parts(aspect, from, to) : path;
 }
 
@@ -83,8 +83,8 @@ std::vector<Pose> AspectPaths::find_between_parts(const Aspect& aspect, const Po
   }
   const std::vector<Pose>& link = known->second;
   if (link.empty()) return {};
-  std::vector<Pose> path = find_through_leaves(aspect, from, link.front(), false);
-  const std::vector<Pose> rest = find_through_leaves(aspect, link.back(), to, false);
+  std::vector<Pose> path = find_through_leaves(aspect, from, link.front(), Beside::nothing);
+  const std::vector<Pose> rest = find_through_leaves(aspect, link.back(), to, Beside::nothing);
   if (path.empty() || rest.empty()) return {};
   path.insert(path.end(), link.begin() + 1, link.end());
   path.insert(path.end(), rest.begin() + 1, rest.end());
@@ -103,13 +103,20 @@ std::optional<AspectPaths::Parts> AspectPaths::parts(const Aspect& aspect, const
 
 std::vector<Pose> AspectPaths::search_between_parts(const Aspect& aspect, const Pose& from, const Pose& to) {
   std::vector<Pose> path = find_by_climbs(aspect, from, to);
-  if (path.empty()) path = find_through_leaves(aspect, from, to, true);
+  for (const Beside beside : {Beside::passages, Beside::undecided})
+    if (path.empty()) path = find_through_leaves(aspect, from, to, beside);
   return path.empty() ? find_in_roadmap(aspect, from, to) : shortened(path, segments_of(aspect), 0.0);
 }
 
 FaceComponents& AspectPaths::components(const Aspect& aspect) {
   const std::size_t mode = *mode_index(map_->contents(), aspect.mode);
   return components_.try_emplace(mode, map_->contents(), mode).first->second;
+}
+
+const LeafPassages& AspectPaths::climbs(const Aspect& aspect) {
+  const auto known = climbs_.find(aspect.id);
+  if (known != climbs_.end()) return known->second;
+  return climbs_[aspect.id] = climbs_between_parts(map_->contents(), aspect, components(aspect));
 }
 
 /// Those near the pose to which a segment is proved: to look for paths to others is in vain.
@@ -122,9 +129,14 @@ std::vector<NodeIndex> AspectPaths::proved_leaves(const Aspect& aspect, const Po
 
 /// Where a segment is not proved, the next path goes elsewhere.
 std::vector<Pose> AspectPaths::find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
-                                                   bool undecided, double wanted_index) {
+                                                   Beside beside, double wanted_index) {
   const std::size_t mode = *mode_index(map_->contents(), aspect.mode);
-  LeafChoice choice{proved_leaves(aspect, from), proved_leaves(aspect, to), undecided, wanted_index};
+  LeafChoice choice{proved_leaves(aspect, from), proved_leaves(aspect, to), beside == Beside::undecided};
+  choice.wanted_index = wanted_index;
+  if (beside == Beside::passages) {
+    choice.passages = &climbs(aspect);
+    choice.is_free = [&](const Pose& one, const Pose& other) { return is_free(one, other, aspect); };
+  }
   for (int i = 0; i < max_leaf_paths; ++i) {
     const std::vector<LeafStep> steps =
         find_leaf_path(map_->contents(), components(aspect), indices_[mode], aspect.id, from, to, choice);
@@ -153,7 +165,7 @@ std::vector<Pose> AspectPaths::find_by_climbs(const Aspect& aspect, const Pose& 
     goal = climb_to(aspect, to, proved_leaves(aspect, from));
   }
   if (goal.empty()) return {};
-  std::vector<Pose> path = find_through_leaves(aspect, start.back(), goal.back(), false);
+  std::vector<Pose> path = find_through_leaves(aspect, start.back(), goal.back(), Beside::nothing);
   if (path.empty()) return {};
   path.insert(path.begin(), start.begin(), start.end() - 1);
   path.insert(path.end(), goal.rbegin() + 1, goal.rend());

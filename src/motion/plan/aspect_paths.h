@@ -33,6 +33,13 @@ class AspectPaths {
   void forget_wide_paths() { wide_paths_.clear(); }
 
  private:
+  /// What paths may pass besides inside leaves that share faces.
+  enum class Beside {
+    nothing,
+    passages,   ///< climbs between parts, and one undecided leaf between two inside ones, all proved
+    undecided,  ///< undecided leaves, from middle to middle
+  };
+
   /// Two parts of one aspect that no faces of inside leaves connect: its id, and the leaves that stand for
   /// them.
   using Parts = std::tuple<int, NodeIndex, NodeIndex>;
@@ -49,12 +56,13 @@ class AspectPaths {
   bool is_free(const Pose& from, const Pose& to, const Aspect& aspect) const;
   SegmentsInMode segments_of(const Aspect& aspect) const;
   FaceComponents& components(const Aspect& aspect);
+  const LeafPassages& climbs(const Aspect& aspect);
   std::optional<Parts> parts(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<Pose> find_between_parts(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<Pose> search_between_parts(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<NodeIndex> proved_leaves(const Aspect& aspect, const Pose& pose) const;
-  std::vector<Pose> find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
-                                        bool undecided, double wanted_index = 0.0);
+  std::vector<Pose> find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to, Beside beside,
+                                        double wanted_index = 0.0);
   std::vector<Pose> find_by_climbs(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<Pose> climb_to(const Aspect& aspect, const Pose& from, const std::vector<NodeIndex>& leaves);
   std::vector<Pose> find_in_roadmap(const Aspect& aspect, const Pose& from, const Pose& to);
@@ -64,6 +72,7 @@ class AspectPaths {
   std::deque<WidePath> wide_paths_;
   std::map<std::size_t, LeafIndices> indices_;        // by index of the mode in the map
   std::map<std::size_t, FaceComponents> components_;  // by index of the mode in the map
+  std::map<int, LeafPassages> climbs_;                // by aspect, where they were needed
   std::map<Parts, std::vector<Pose>> links_;  // from one to the other, once looked for; empty where in vain
   std::map<std::size_t, std::shared_ptr<const PoseRoadmap>> roadmaps_;  // by index of the working mode
 };

@@ -19,9 +19,9 @@ namespace {
 constexpr int max_rounds = 12;
 constexpr std::size_t most_reasons = 4, most_modes = 4;  // that are said
 
-class Climb {
+class IndexClimb {
  public:
-  Climb(const AspectMap& map, const MapSegments& segments, const WorkingMode& mode, int sign)
+  IndexClimb(const AspectMap& map, const MapSegments& segments, const WorkingMode& mode, int sign)
       : map_(map), contents_(map.contents()), segments_(segments), mode_(mode), sign_(sign) {}
 
   std::vector<Pose> run(const Pose& pose, const std::function<bool(const Pose&)>& is_there) {
@@ -163,7 +163,7 @@ std::string ExclusionReasons::text() const {
 
 std::vector<Pose> climb(const AspectMap& map, const MapSegments& segments, const Pose& pose,
                         const WorkingMode& mode, int sign, const std::function<bool(const Pose&)>& is_there) {
-  return Climb(map, segments, mode, sign).run(pose, is_there);
+  return IndexClimb(map, segments, mode, sign).run(pose, is_there);
 }
 
 EndAspects find_aspects(const AspectMap& map, const MapSegments& segments, const PathEnd& end) {

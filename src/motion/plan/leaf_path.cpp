@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <unordered_map>
 #include <unordered_set>
@@ -66,6 +67,7 @@ class LeafSearch {
     bool closed = false;
     double own_width = 0.0;
     Pose middle;
+    std::optional<LeafPassage> passage{};  // from the leaf before, where they share no face
   };
   struct Open {
     double width, bound;
@@ -81,9 +83,9 @@ class LeafSearch {
   }
   /// Saves a search of all that is connected where the goal is not.
   bool may_lead_on(NodeIndex leaf) {
-    return choice_.undecided || std::any_of(last_.begin(), last_.end(), [&](NodeIndex last) {
-             return components_.are_connected(leaf, last);
-           });
+    return choice_.undecided || choice_.passages != nullptr ||
+           std::any_of(last_.begin(), last_.end(),
+                       [&](NodeIndex last) { return components_.are_connected(leaf, last); });
   }
 
   bool is_inside(NodeIndex leaf) const { return map_.leaf_aspect(leaf, mode_) == aspect_.id; }
@@ -108,7 +110,8 @@ class LeafSearch {
     return std::floor(index_steps * std::min(1.0, item->second / choice_.wanted_index));
   }
 
-  void enter(NodeIndex leaf, NodeIndex before, double cost, double width) {
+  void enter(NodeIndex leaf, NodeIndex before, double cost, double width,
+             const std::optional<LeafPassage>& passage = std::nullopt) {
     const auto [item, is_new] = reached_.try_emplace(leaf);
     Entry& entry = item->second;
     if (is_new) {
@@ -120,6 +123,7 @@ class LeafSearch {
     entry.width = least;
     entry.cost = cost;
     entry.before = before;
+    entry.passage = passage;
     open_.push({least, cost + greed * distance(entry.middle, to_), leaf});
   }
 
@@ -135,6 +139,24 @@ class LeafSearch {
       const Pose& there = known != reached_.end() ? known->second.middle : middle(next);
       enter(next, leaf, cost + price(next) * distance(at, there), width);
     }
+    if (choice_.passages != nullptr) expand_by_passages(leaf, at, cost, width);
+  }
+
+  void expand_by_passages(NodeIndex leaf, const Pose& at, double cost, double width) {
+    const auto climbs = choice_.passages->find(leaf);
+    if (climbs != choice_.passages->end())
+      for (const LeafPassage& passage : climbs->second) enter_by(passage, leaf, at, cost, width);
+    for (const LeafPassage& passage : passages_beside(map_, aspect_, leaf))
+      if (reached_.count(passage.to) == 0 && choice_.is_free(passage.poses.front(), passage.poses.back()))
+        enter_by(passage, leaf, at, cost, width);
+  }
+
+  void enter_by(const LeafPassage& passage, NodeIndex leaf, const Pose& at, double cost, double width) {
+    if (reached_.count(passage.to) > 0 || is_barred(leaf, passage.to)) return;
+    double length = distance(at, passage.poses.front());
+    for (std::size_t i = 0; i + 1 < passage.poses.size(); ++i)
+      length += distance(passage.poses[i], passage.poses[i + 1]);
+    enter(passage.to, leaf, cost + cost_of_undecided_leaves * length, width, passage);
   }
 
   Pose middle(NodeIndex leaf) const {
@@ -170,6 +192,12 @@ class LeafSearch {
     std::reverse(leaves.begin(), leaves.end());
     std::vector<LeafStep> steps{{from_, no_node}, {nearest_in(map_, leaves.front(), from_), leaves.front()}};
     for (std::size_t i = 1; i < leaves.size(); ++i) {
+      if (const auto& passage = reached_.at(leaves[i]).passage) {
+        steps.push_back({passage->poses.front(), leaves[i - 1]});
+        for (std::size_t k = 1; k < passage->poses.size(); ++k)
+          steps.push_back({passage->poses[k], leaves[i]});
+        continue;
+      }
       steps.push_back({entrance(steps.back().pose, leaves[i - 1], leaves[i]), leaves[i]});
       if (choice_.wanted_index > 0.0) steps.push_back({middle(leaves[i]), leaves[i]});
     }

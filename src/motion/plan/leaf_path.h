@@ -4,9 +4,11 @@
 
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/map/map_contents.h"
+#include "motion/plan/leaf_passages.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <cstddef>
+#include <functional>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -29,6 +31,11 @@ struct LeafChoice {
   std::vector<NodeIndex> first, last;  ///< of `leaves_near` the ends
   bool undecided =
       false;  ///< those with the aspect's sign at their middle too; what lies there is not proved
+
+  /// Where they are given, from an inside leaf to another by these, and beside one undecided leaf between
+  /// them along a segment that `is_free` proves: in narrow corridors leaves touch at corners alone.
+  const LeafPassages* passages = nullptr;
+  std::function<bool(const Pose&, const Pose&)> is_free{};
 
   /// Parallel index that the path is to keep; where it cannot, one as large as it can by the middles of the
   /// leaves. 0 where it is to be short.
@@ -61,11 +68,11 @@ std::vector<NodeIndex> leaves_near(const AspectMap::Contents& map, const Aspect&
 /// The pose itself where the leaf holds it.
 Pose nearest_in(const AspectMap::Contents& map, NodeIndex leaf, const Pose& pose);
 
-/// Steps from one pose to another through leaves of one aspect that share faces: the first pose, a pose of
-/// each face or the middle of an undecided leaf, and the last, with `no_node`; where an index is wanted,
-/// through the middles of all leaves. Else wide leaves are preferred, since little is near that ends the
-/// aspect. Empty where no leaf to begin with is connected with one to end with. `components` and
-/// `indices` are those of the aspect's working mode.
+/// Steps from one pose to another through leaves of one aspect that share faces, or have a passage between
+/// them: the first pose, a pose of each face, the poses of each passage, or the middle of an undecided leaf,
+/// and the last, with `no_node`; where an index is wanted, through the middles of all leaves. Else wide
+/// leaves are preferred, since little is near that ends the aspect. Empty where no leaf to begin with is
+/// connected with one to end with. `components` and `indices` are those of the aspect's working mode.
 std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, FaceComponents& components,
                                      LeafIndices& indices, int aspect, const Pose& from, const Pose& to,
                                      const LeafChoice& choice);

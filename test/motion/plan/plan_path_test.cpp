@@ -156,6 +156,46 @@ TEST(PlanPath, TellsWhereControlIsLost) {
     }
 }
 
+// In narrow passages, which margins make, the leaves of a map touch at corners; what the map proves to be one
+// aspect has a path all the same.
+TEST(PlanPath, IsFoundWhereverTheMapProvesOneAspect) {
+  for (unsigned seed = 0; seed < (test::is_sanitized ? 2 : 8); ++seed) {
+    std::mt19937_64 random(seed);
+    const bool holds_joint = seed % 2 == 0;
+    Margins margins;
+    (holds_joint ? margins.det_a : margins.parallel) = test::uniform(random, 0.0, holds_joint ? 6000.0 : 0.5);
+    const Robot robot = (holds_joint ? test::three_rpr() : test::five_bar())->with_margins(margins);
+    MapOptions options;
+    const double held = test::uniform(random, 11.0, 30.0);
+    if (holds_joint) options.slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, held}});
+    const auto map = test::map_of(robot, options);
+    PathPlanner planner(map);
+    for (int i = 0; i < 20; ++i) {
+      const Aspect& aspect = test::random_aspect(*map, random);
+      const PathEnd from = test::random_path_end(*map, aspect, random),
+                    to = test::random_path_end(*map, aspect, random);
+      const PlannedPath path = planner.plan(from, to, PathPolicy::stay);
+      EXPECT_TRUE(path) << "seed " << seed << ", pair " << i << ": " << path.message;
+    }
+  }
+}
+
+// A corridor of some hundred leaves that touch at corners alone.
+TEST(PlanPath, GoesThroughACorridorOfCorners) {
+  Margins margins;
+  margins.det_a = 3660.0;
+  const Robot robot = test::three_rpr()->with_margins(margins);
+  MapOptions options;
+  options.slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, 14.98}});
+  const AnchorCircle circle = circle_of_anchor(*robot, *options.slice->joint);
+  const PathEnd from{circle.nearest(Pose::planar(14.67394366, -3.01260312, 2.13290437))},
+      to{circle.nearest(Pose::planar(-5.49566082, -13.93549828, -0.04733137))};
+  const auto map = test::map_of(robot, options);
+  const PlannedPath path = PathPlanner(map).plan(from, to, PathPolicy::stay);
+  ASSERT_TRUE(path) << path.message;
+  EXPECT_GE(path.least_det_a, 3660.0);
+}
+
 struct Case {
   const char* name;
   Robot robot;
