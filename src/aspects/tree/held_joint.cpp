@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/held_joint.h"
 
+#include "model/angles.h"
 #include "model/number_text.h"
 
 #include <algorithm>
@@ -46,6 +47,20 @@ bool has_cone(const Leg& leg, double value) {
       0.5 * (c.squaredNorm() + leg.anchor.squaredNorm() - leg.squared_distance(value)) / product;
   return leg.can_have(value) && product > held_joint_tolerance * held_joint_tolerance &&
          1.0 - cosine * cosine > least_sine * least_sine;
+}
+
+/// The value to hold instead: the same angle, some turns away, where that is within the limits, also as it is
+/// written; else nothing.
+std::string inside_by_turns(const Leg& leg, double value) {
+  if (!leg.actuated_by_angle()) return "";
+  constexpr int digits = 12;
+  const JointLimits& limits = leg.limits;
+  const double turns = std::isfinite(limits.lower) ? std::ceil((limits.lower - value) / full_turn)
+                                                   : std::floor((limits.upper - value) / full_turn);
+  const double inside = value + turns * full_turn, written = 1e-11 * std::max(1.0, std::abs(inside));
+  return limits.contain(inside - written) && limits.contain(inside + written)
+             ? ", as at " + number_text(inside, digits) + ", the same angle"
+             : "";
 }
 
 }  // namespace
@@ -107,7 +122,7 @@ std::string find_held_value_problem(const Manipulator& manipulator, const HeldJo
     return holder + " holds '" + leg.actuated_joint + "' at no finite number; give one.";
   if (!leg.limits.contain(joint.value))
     return start + "outside of its limits, " + number_text(leg.limits.lower) + " to " +
-           number_text(leg.limits.upper) + "; hold it inside.";
+           number_text(leg.limits.upper) + "; hold it inside" + inside_by_turns(leg, joint.value) + ".";
   if (manipulator.task_space() == TaskSpace::SO3)
     return has_cone(leg, joint.value)
                ? ""

@@ -114,6 +114,20 @@ TEST(MapSlice, JointsThatCanNotBeHeldAreRefused) {
       "The slice holds 'leg_1_joint' at 0, where its leg has no length in the plane; give another value.");
 }
 
+// An angle that is inside of its limits after some turns is refused with the value to hold, which is taken.
+TEST(MapSlice, RefusesAnAngleThatIsTurnsAwayWithTheValueToHold) {
+  ManipulatorDescription limited = test::three_rrr()->description();
+  limited.legs[0].limits = JointLimits{4.8, 8.2};
+  const auto robot = std::make_shared<const Manipulator>(limited);
+  EXPECT_EQ(
+      problem_of(robot, {{"leg_1_joint", -0.25}}),
+      "The slice holds 'leg_1_joint' at -0.25, outside of its limits, 4.8 to 8.2; hold it inside, as at "
+      "6.03318530718, the same angle.");
+  EXPECT_EQ(problem_of(robot, {{"leg_1_joint", 6.03318530718}}), "0 problems");
+  EXPECT_EQ(problem_of(robot, {{"leg_1_joint", 4.0}}),
+            "The slice holds 'leg_1_joint' at 4, outside of its limits, 4.8 to 8.2; hold it inside.");
+}
+
 TEST(MapSlice, SlicesThatDoNotFitTheRobotAreRefused) {
   const Robot planar = test::three_rrr(), spatial = test::stewart(), delta = test::delta();
   MapSlice slice = slice_of(planar, {{"phi", 0.0}});
