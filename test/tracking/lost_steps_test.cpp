@@ -241,7 +241,7 @@ class EveryRobot : public testing::TestWithParam<const char*> {};
 TEST_P(EveryRobot, IsFoundAgainAndNeverInAWrongAssemblyMode) {
   const auto mechanism = test::shipped(GetParam());
   const bool slow = mechanism->manipulator()->task_space() == TaskSpace::SE3;  // to list direct solutions
-  const Counts counts = LostSteps(*mechanism, 20261128).run(slow ? 12 : 60);
+  const Counts counts = LostSteps(*mechanism, 20261128).run(slow ? 30 : 60);
   EXPECT_EQ(counts.wrong, 0) << counts.first_wrong;
   EXPECT_GT(counts.found, 0);
   EXPECT_LE(counts.found, counts.lost - counts.moved) << "what was moved to another one is not";

@@ -209,8 +209,9 @@ TurnedTwist RobotServer::turned(const geometry_msgs::TwistStamped& command) cons
 
 std::string RobotServer::no_transform(const std::string& frame, const std::exception& failure) const {
   const std::string& base = setup_.mechanism->manipulator()->base_frame();
-  std::vector<std::string> frames{base};
+  std::vector<std::string> frames;
   tf_._getFrameStrings(frames);
+  frames.push_back(base);
   const bool known = contains(frames, frame);
   const std::string meant = known ? "" : similar_name(frame, frames);
   return "tf does not connect " + shortened(frame) + " with " + base + ": " +

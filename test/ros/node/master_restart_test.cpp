@@ -77,6 +77,7 @@ class MasterRestart : public testing::Test {
     ros::param::set("/robot_description", test::source_file("urdf/five_bar.urdf"));
     ros::param::set(node + "/start/pose", std::vector<double>{4.5, 8.0});
     ros::param::set(node + "/map/resolution", 0.2);
+    ros::param::set(node + "/thresholds/parallel_stop", 0.1);
     ros::param::set(node + "/joint_states_timeout", 2.0);  // a busy computer holds messages up
     ros::param::set(node + "/tracking/longest_interval", std::numeric_limits<double>::infinity());
     ros::param::set(node + "/tracking/check_velocity", false);  // no actuated joint is as fast
