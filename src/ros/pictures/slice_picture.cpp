@@ -148,7 +148,7 @@ void SlicePicture::draw_titles(std::size_t tile, const Drawn& now, MarkerBatch& 
   Vector2d line = scene_.tiles.center(tile) - half_up - Vector2d(0.0, 0.7 * text);
   const std::vector<int> shown = legend(mode, now);
   for (const int id : shown) {
-    const Vector2d swatch = line - Vector2d(0.5 * scene_.tiles.side(), 0.0);
+    const Vector2d swatch = line - Vector2d(0.5 * scene_.tiles.side() + 0.4 * text, 0.0);
     batch.triangles(gallery_plane_, "gallery/swatches", square(swatch, 0.6 * text),
                     height_of(Layer::fill, text), colors_.of(id));
     batch.text(gallery_plane_, "gallery/sizes", line, height, 0.75 * text,

@@ -138,8 +138,8 @@ TEST(SurfacePicture, LabelsKeepOffTheRobotAndTheEndsOfTheirAspects) {
     for (const ColoredLines& lines : picture.moving.lines)
       for (const Eigen::Vector3f& end : lines.ends)
         to_end = std::min(to_end, double{(end - present->at).norm()});
-    EXPECT_GT((present->at.cast<double>() - robot).norm(), 0.08 * picture.size) << store->robot().name();
-    EXPECT_GT(to_end, 0.04 * picture.size) << store->robot().name();
+    EXPECT_GT((present->at.cast<double>() - robot).norm(), 0.03 * picture.size) << store->robot().name();
+    EXPECT_GT(to_end, 0.03 * picture.size) << store->robot().name();
     for (const Label& label : picture.moving.labels) EXPECT_EQ(label.color, ink_color) << label.text;
   }
 }
