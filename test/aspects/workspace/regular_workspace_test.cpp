@@ -424,11 +424,9 @@ void expect_none_about_other_centers_is_larger(const Robot& robot) {
 
 // Also where the wall of the region, and nothing else, is nearest to the center.
 TEST(RegularWorkspace, NoneAboutAnotherCenterIsLarger) {
-  const int robots = test::is_sanitized ? 3 : 15;
-  for (int seed = 0; seed < robots; ++seed) {
+  for (const unsigned seed : {0U, 1U, 7U}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    expect_none_about_other_centers_is_larger(
-        test::bounded_robot(static_cast<unsigned>(seed), TaskSpace::T2, false));
+    expect_none_about_other_centers_is_larger(test::bounded_robot(seed, TaskSpace::T2, false));
   }
   expect_none_about_other_centers_is_larger(within(test::five_bar(), {{0.0, 1.0, 0.0}, {9.0, 9.0, 0.0}}));
 }
