@@ -19,8 +19,6 @@ static_assert(static_cast<std::uint8_t>(ThresholdLevel::stop) == AspectState::ST
 static_assert(static_cast<std::uint8_t>(ThresholdLevel::unknown) == AspectState::UNKNOWN);
 static_assert(static_cast<std::uint8_t>(ThresholdLevel::unset) == AspectState::NO_THRESHOLD);
 
-const std::string no_threshold = "no threshold is set";
-
 std::uint8_t kind_of(const std::optional<ProvedHazard>& last) {
   if (!last) return LastHazard::NONE;
   switch (last->hazard) {
@@ -54,7 +52,7 @@ std::string reason_of(const ThresholdState& state) {
   const std::string nearest = std::string("the nearest ") + name(state.hazard) + " may be " +
                               number_text(state.distance, 4) + " m away";
   if (state.level == ThresholdLevel::unset)
-    return no_threshold + (std::isfinite(state.distance) ? ": " + nearest : "");
+    return "no threshold is set" + (std::isfinite(state.distance) ? ": " + nearest : std::string());
   return name(state.level) + (": " + nearest) + "; the threshold is " + number_text(state.threshold, 4) +
          " m" + (state.held ? ", held until left by the hysteresis" : "");
 }

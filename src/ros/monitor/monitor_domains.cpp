@@ -28,10 +28,9 @@ void RobotMonitor::note_start(bool stated) {
 
 void RobotMonitor::fill_domains(AspectState& state) const {
   state.uniqueness = uniqueness_;
-  const ThresholdState& threshold = hazards_.findings().threshold;
-  const bool near = threshold.level != ThresholdLevel::clear && threshold.level != ThresholdLevel::unset;
-  if (!uniqueness_.warns || near) return;
-  state.level = level_message(level_of(threshold, uniqueness_));
+  if (!uniqueness_.warns || (state.level != AspectState::CLEAR && state.level != AspectState::NO_THRESHOLD))
+    return;
+  state.level = level_message(level_of(hazards_.findings().threshold, uniqueness_));
   state.reason += (state.reason.empty() ? "" : "; ") + warning_of(uniqueness_);
 }
 

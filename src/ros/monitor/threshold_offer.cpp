@@ -19,7 +19,11 @@ using Eigen::Vector3d;
 constexpr double stopping_time = 0.1;  // of the example [s]
 constexpr int digits = 2;              // of what is offered
 
-double rounded(double value) { return std::stod(number_text(value, digits)); }
+// To so many digits; positive values.
+double rounded_up(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) + 1.0 - digits);
+  return unit * std::ceil(value / unit);
+}
 
 // Of the anchors for a twist (w, v), root mean square, as in the metric of distances [m/s].
 double anchor_speed(const Manipulator& robot, const Pose& pose, const TaskVector& twist) {
@@ -51,28 +55,26 @@ double speed_limit(const Manipulator& robot, const AssembledConfiguration& at) {
 
 }  // namespace
 
-// Rounded up where it must not be less than the stand-off.
 ThresholdParameters offered_thresholds(const Manipulator& robot, const StandOffEstimate& stand_off) {
   const double share = robot.leg_count() == 6 ? 0.005 : 0.02;
   ThresholdParameters offered;
-  offered.serial_stop = offered.limit_stop = rounded(share * robot.size());
-  offered.parallel_stop = std::max(offered.serial_stop, rounded(1.1 * stand_off.largest));
+  offered.serial_stop = offered.limit_stop = rounded_up(share * robot.size());
+  offered.parallel_stop = rounded_up(std::max(share * robot.size(), stand_off.largest));
   return offered;
 }
 
 std::string threshold_offer(const Mechanism& mechanism, const StandOffEstimate& stand_off) {
   const Manipulator& robot = *mechanism.manipulator();
   const ThresholdParameters offered = offered_thresholds(robot, stand_off);
+  const auto written = [](double value) { return number_text(value, digits); };
   const std::string text =
-      "No threshold is set; for example thresholds: {parallel_stop: " + number_text(offered.parallel_stop) +
-      ", serial_stop: " + number_text(offered.serial_stop) +
-      ", limit_stop: " + number_text(offered.limit_stop) + "} [m]; a robot at " +
-      number_text(offered.serial_stop / stopping_time, digits) + " m/s goes " +
-      number_text(offered.serial_stop) + " m in " + number_text(stopping_time) + " s";
+      "No threshold is set; for example thresholds: {parallel_stop: " + written(offered.parallel_stop) +
+      ", serial_stop: " + written(offered.serial_stop) + ", limit_stop: " + written(offered.limit_stop) +
+      "} [m]; a robot at " + written(offered.serial_stop / stopping_time) + " m/s goes " +
+      written(offered.serial_stop) + " m in " + written(stopping_time) + " s";
   const double limit = speed_limit(robot, mechanism.assembled());
   if (!std::isfinite(limit)) return text + ".";
-  return text + ", and its velocity limits allow up to " + number_text(limit, digits) +
-         " m/s where it is assembled.";
+  return text + ", and its velocity limits allow up to " + written(limit) + " m/s where it is assembled.";
 }
 
 }  // namespace parallel_aspects

@@ -126,7 +126,9 @@ std::vector<Marker> RobotVisuals::skeleton_at(const Pose& pose, const JointVecto
   MarkerBatch batch;
   batch.segments({base_frame_, robot.task_frame()}, group, skeleton_of(robot, pose, q, radius_),
                  skeleton_width * robot.size(), color);
-  return {batch.take().markers.back()};  // without what deletes all others
+  std::vector<Marker> markers = batch.take().markers;
+  markers.erase(markers.begin());  // what deletes all others
+  return markers;
 }
 
 }  // namespace parallel_aspects

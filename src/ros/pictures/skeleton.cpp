@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/skeleton.h"
 
-#include <cmath>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {

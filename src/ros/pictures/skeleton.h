@@ -4,6 +4,8 @@
 
 #include "parallel_aspects/model/manipulator.h"
 
+#include <Eigen/Core>
+
 #include <vector>
 
 namespace parallel_aspects {

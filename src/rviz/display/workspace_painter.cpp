@@ -231,16 +231,17 @@ void WorkspacePainter::add_label(int id) {
 // Aspects of several working modes, as of candidates, may be deepest at one place: one below the other there.
 void WorkspacePainter::spread_labels() {
   const Eigen::Index up = is_planar(space_) ? 1 : 2;
-  const auto height = static_cast<float>(id_height * store_.robot().size());
-  const auto overlap = [height](const Label& one, const Label& other) {
+  const auto line = static_cast<float>(id_height * store_.robot().size());
+  const auto overlap = [line, up](const Label& one, const Label& other) {
     const float letters = 0.25F * static_cast<float>(one.text.size() + other.text.size());
-    const Vector3f room(std::max(1.0F, letters) * height, height, height);
+    const float width = std::max(1.0F, letters) * line;
+    const Vector3f room(width, up == 1 ? line : width, line);  // bodies are seen from any side
     return ((one.at - other.at).cwiseAbs().array() < room.array()).all();
   };
   for (auto label = part_.labels.begin(); label != part_.labels.end(); ++label)
     for (auto other = part_.labels.begin(); other != label;) {
       if (overlap(*label, *other)) {
-        label->at[up] = other->at[up] - 1.01F * height;
+        label->at[up] = other->at[up] - 1.01F * line;
         other = part_.labels.begin();  // it may lie on one of those before now
       } else {
         ++other;

@@ -53,7 +53,7 @@ class UniquenessStateTest : public testing::Test {
     options.tracking.samples.check_velocity = false;
     options.tracking.samples.interval_ratio = 1e9;
     options.uniqueness.hold = 0.1;
-    options.thresholds.parallel_stop = near_;
+    options.thresholds.parallel_stop = smallest_stop;
     return options;
   }
 
@@ -93,7 +93,7 @@ class UniquenessStateTest : public testing::Test {
     return found;
   }
 
-  static constexpr double near_ = 1e-6;  // to a parallel singularity; it is not met on the way [m]
+  static constexpr double smallest_stop = 1e-6;  // without a threshold there is no level [m]
   const std::shared_ptr<const Mechanism> mechanism_ = test::shipped("three_rpr");
   const std::shared_ptr<const Manipulator> robot_ = mechanism_->mapped_manipulator();
   const MapSlice slice_ = test::slice_of(robot_, {{robot_->leg(0).actuated_joint, 14.98}});

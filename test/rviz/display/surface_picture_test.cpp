@@ -89,7 +89,9 @@ TEST(SurfacePicture, LabelsDoNotOverprint) {
   for (std::size_t i = 0; i < labels.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const Eigen::Vector3f apart = (labels[i].at - labels[j].at).cwiseAbs();
-      EXPECT_TRUE(apart.y() >= height || apart.x() >= 0.5 * height * labels[i].text.size())
+      EXPECT_TRUE(apart.y() >= height ||
+                  apart.x() >=
+                      0.25 * height * static_cast<double>(labels[i].text.size() + labels[j].text.size()))
           << labels[i].text << " upon " << labels[j].text;
     }
 }
