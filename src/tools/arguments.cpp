@@ -5,6 +5,7 @@
 #include "model/number_text.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/rotation_slice.h"
+#include "parallel_aspects/kinematics/inverse.h"
 #include "tools/computation.h"
 #include "tools/numbers.h"
 #include "tools/subcommands.h"
@@ -107,9 +108,20 @@ MapSlice parse_slice(const std::string& option, const Manipulator& manipulator, 
 
 namespace {
 
+// With the platform as the task frame is turned, where the robot comes there; it assembles at the pose
+// itself.
+Pose plain(const Manipulator& manipulator, const Pose& pose) {
+  Pose upright = pose;
+  upright.orientation.setIdentity();
+  const auto solutions = inverse_in_all_modes(manipulator, upright);
+  const bool is_reached = std::any_of(solutions.begin(), solutions.end(),
+                                      [](const InverseSolution& each) { return static_cast<bool>(each); });
+  return is_reached ? upright : pose;
+}
+
 // In few digits.
 std::string held_text(const std::string& name, double value) {
-  constexpr int digits = 3;
+  constexpr int digits = 2;
   constexpr double noise = 1e-9;
   return name + "=" + number_text(std::abs(value) < noise ? 0.0 : value, digits);
 }
@@ -130,14 +142,16 @@ std::string text_of_orientation(const Eigen::Quaterniond& orientation) {
 
 }  // namespace
 
-std::string example_of_section(TaskSpace space, const Pose& pose) {
-  return "\"" + text_of_section(space, pose) + "\"";
+std::string example_of_section(const Manipulator& manipulator, const Pose& pose) {
+  return "\"" + text_of_section(manipulator.task_space(), plain(manipulator, pose)) + "\"";
 }
 
-std::string example_of_plane(TaskSpace space, const Pose& pose) {
+std::string example_of_plane(const Manipulator& manipulator, const Pose& pose) {
+  const TaskSpace space = manipulator.task_space();
   if (space == TaskSpace::SO3) return "";
-  const std::string turns = space == TaskSpace::SE3 ? " " + text_of_orientation(pose.orientation) : "";
-  return "\"" + text_of_section(space, pose) + turns + "\"";
+  const Pose held = plain(manipulator, pose);
+  const std::string turns = space == TaskSpace::SE3 ? " " + text_of_orientation(held.orientation) : "";
+  return "\"" + text_of_section(space, held) + turns + "\"";
 }
 
 std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulator& manipulator,

@@ -36,13 +36,13 @@ std::vector<WorkingMode> parse_modes(const std::string& option, const Manipulato
 MapSlice parse_slice(const std::string& option, const Manipulator& manipulator, const std::string& text,
                      Problems& problems);
 
-/// A section of a map of three coordinates, in quotes, that leaves two free and holds the pose: "phi=0.52",
-/// or of SO3 "torsion=0".
-std::string example_of_section(TaskSpace space, const Pose& pose);
+/// A section of a map of three coordinates, in quotes, that leaves two free and holds the pose, or one with
+/// angles of zero where the robot comes there: "phi=0", or of SO3 "torsion=0".
+std::string example_of_section(const Manipulator& manipulator, const Pose& pose);
 
-/// A slice that does, likewise: of SE3 "z=1.3 roll=0 pitch=0 yaw=0". Empty where a slice leaves one or three,
+/// A slice that does, likewise: of SE3 "z=1 roll=0 pitch=0 yaw=0". Empty where a slice leaves one or three,
 /// as in SO3.
-std::string example_of_plane(TaskSpace space, const Pose& pose);
+std::string example_of_plane(const Manipulator& manipulator, const Pose& pose);
 
 /// The box that `text` gives, such as "x=-5:5 y=0:10": a lower and an upper end for each of `names`,
 /// separated by blanks or commas.

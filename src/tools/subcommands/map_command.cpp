@@ -99,7 +99,8 @@ std::optional<Box> find_region(const MapArguments& arguments, const MapSection& 
   return region && slice ? region_of_slice(*region, *slice, section.file, problems) : region;
 }
 
-void refuse_options_of_boxes(const MapArguments& arguments, const Pose& home, Problems& problems) {
+void refuse_options_of_boxes(const MapArguments& arguments, const Manipulator& manipulator, const Pose& home,
+                             Problems& problems) {
   const auto refuse = [&problems](bool is_given, const std::string& options, const std::string& remedy) {
     if (is_given)
       problems.push_back(options + " for maps of boxes, and in SE3 only slices have these; " + remedy + ".");
@@ -108,9 +109,8 @@ void refuse_options_of_boxes(const MapArguments& arguments, const Pose& home, Pr
   refuse(!arguments.resolution.empty(), "--resolution is", "give --slice, or --samples for the roadmap");
   refuse(!arguments.load_file.empty() || !arguments.save_file.empty(), "--load and --save are",
          leave + "them out");
-  refuse(
-      !arguments.picture_file.empty(), "--picture is",
-      "give one that leaves two coordinates free, such as --slice " + example_of_plane(TaskSpace::SE3, home));
+  refuse(!arguments.picture_file.empty(), "--picture is",
+         "give one that leaves two coordinates free, such as --slice " + example_of_plane(manipulator, home));
   refuse(arguments.wants_basins() || !arguments.index_text.empty(),
          "--persistence, --persistence-picture and --index are", leave + "them out");
   refuse(arguments.neighbours, "--neighbours is", leave + "it out");
@@ -127,19 +127,20 @@ Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const Pose
   RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
   options.threads = parse_options(arguments, section.config, problems).threads;
   options.region = find_region(arguments, section, manipulator->task_space(), std::nullopt, problems);
-  refuse_options_of_boxes(arguments, home, problems);
+  refuse_options_of_boxes(arguments, *manipulator, home, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return report_roadmap(*compute_roadmap(std::move(manipulator), options, surroundings), arguments.verbose);
 }
 
 /// What to do for a picture of two coordinates, where the map has another number of them.
-std::string picture_remedy(TaskSpace space, const Pose& home) {
+std::string picture_remedy(const Manipulator& manipulator, const Pose& home) {
+  const TaskSpace space = manipulator.task_space();
   if (degrees_of_freedom(space) == 2) return "; leave out --slice, without which it has two.";
   if (degrees_of_freedom(space) < 2) return "; leave it out.";
-  const std::string plane = example_of_plane(space, home);
+  const std::string plane = example_of_plane(manipulator, home);
   if (plane.empty())
     return "; leave it out, and draw a section with `aspects plot`, such as --section " +
-           example_of_section(space, home) + ".";
+           example_of_section(manipulator, home) + ".";
   return "; give a slice that leaves two free, such as --slice " + plane + ".";
 }
 
@@ -163,7 +164,7 @@ void add_coverage(const MapArguments& arguments, const MapSection& section, cons
   const std::size_t dimension = options.slice ? options.slice->dimension() : whole;
   if (problems.empty() && !arguments.picture_file.empty() && dimension != 2)
     problems.push_back("--picture is of two coordinates, but the map has " + std::to_string(dimension) +
-                       picture_remedy(manipulator.task_space(), home));
+                       picture_remedy(manipulator, home));
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
 }
 

@@ -65,12 +65,13 @@ PlotSection parse_section(const PlotArguments& arguments, const Manipulator& man
 }
 
 /// What takes two coordinates of a map that has three.
-void check_plane(const PlotArguments& arguments, TaskSpace space, const Pose& home, Problems& problems) {
+void check_plane(const PlotArguments& arguments, const Manipulator& manipulator, const Pose& home,
+                 Problems& problems) {
   if (!arguments.index.empty() || arguments.each_aspect)
     problems.push_back(
         "--index and --each-aspect are for two coordinates; give a section too, such as --section " +
-        example_of_section(space, home) + ".");
-  const std::string plane = example_of_plane(space, home);
+        example_of_section(manipulator, home) + ".");
+  const std::string plane = example_of_plane(manipulator, home);
   if (arguments.leaves)
     problems.push_back("--leaves shows the boxes of maps of two coordinates; " +
                        (plane.empty() ? "leave it out." : "give a slice, such as --slice " + plane + "."));
@@ -85,7 +86,7 @@ void check_dimension(const PlotArguments& arguments, const Manipulator& manipula
     problems.push_back(
         "'" + manipulator.name() +
         "' has six degrees of freedom, and a picture shows three at most; give a slice, such as --slice " +
-        example_of_plane(space, home) + ".");
+        example_of_plane(manipulator, home) + ".");
   if (dimension < 2)
     problems.push_back(
         slice ? "--slice leaves one coordinate free, and a picture takes two or three; hold less."
@@ -100,7 +101,7 @@ void check_dimension(const PlotArguments& arguments, const Manipulator& manipula
   const bool is_plane = dimension == 2 || !arguments.section.empty();
   if (dimension == 2 && !arguments.section.empty())
     problems.emplace_back("--section cuts maps of three coordinates, but this one has two; leave it out.");
-  if (dimension == 3 && !is_plane) check_plane(arguments, space, home, problems);
+  if (dimension == 3 && !is_plane) check_plane(arguments, manipulator, home, problems);
   if (arguments.leaves && !arguments.section.empty())
     problems.emplace_back(
         "--leaves shows the boxes of maps of two coordinates; give --slice in place of --section.");

@@ -150,8 +150,10 @@ std::string xml_text(const std::string& text) {
 
 // Beside the launch file or below it, so that they may be moved together; else where it is.
 std::string path_in_launch(const std::string& file, const std::string& launch) {
-  const fs::path whole = fs::weakly_canonical(file),
-                 relative = whole.lexically_relative(fs::weakly_canonical(launch).parent_path());
+  // Made absolute first, as what is not there yet stays relative.
+  const fs::path whole = fs::weakly_canonical(fs::absolute(file)),
+                 folder = fs::weakly_canonical(fs::absolute(launch)).parent_path(),
+                 relative = whole.lexically_relative(folder);
   const bool is_beside = !relative.empty() && *relative.begin() != "..";
   return xml_text(is_beside ? "$(dirname)/" + relative.string() : whole.string());
 }

@@ -76,7 +76,7 @@ TEST_F(PlotCommand, SaysWhatToDoInstead) {
             "--section cuts maps of three coordinates, but this one has two; leave it out.\n");
   EXPECT_EQ(message({"delta", "--index", "parallel"}),
             "--index and --each-aspect are for two coordinates; give a section too, such as --section "
-            "\"z=-0.8\".\n");
+            "\"z=-0.78\".\n");
   EXPECT_EQ(message({"five_bar", "--index", "depth"}),
             "--index is 'depth'; give parallel or conditioning.\n");
   EXPECT_EQ(message({"agile_eye", "--section", "z=1"}),
