@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "support/pi.h"
 #include "support/random_robots.h"
 #include "support/robots.h"
 #include <array>
@@ -69,7 +70,7 @@ TEST(SphericalHeldSlice, HasTheOrientationsThatKeepTheHeldRod) {
       const Point2 at = random_point(random);
       const Pose pose = slice.pose(at);
       const Eigen::Quaterniond expected =
-          Eigen::AngleAxisd(EIGEN_PI * at[0], c) * start * Eigen::AngleAxisd(EIGEN_PI * at[1], b);
+          Eigen::AngleAxisd(test::pi * at[0], c) * start * Eigen::AngleAxisd(test::pi * at[1], b);
       EXPECT_LT(pose.orientation.angularDistance(expected), 1e-7) << held.robot->name();
       EXPECT_NEAR(leg.residual(pose, held.joint.value), 0.0, 1e-12) << held.robot->name();
     }
@@ -99,13 +100,13 @@ void expect_derivatives_of_residual(const Held& held, const SphericalHeldSlice& 
   const Leg& leg = held.robot->leg(slice.leg(i));
   const double q = joint_value(leg, slice.pose(at).transform(leg.anchor), sign);
   const auto half_residual = [&](const Point2& x) {
-    return 0.5 * leg.residual(slice.pose({x[0] / EIGEN_PI, x[1] / EIGEN_PI}), q);
+    return 0.5 * leg.residual(slice.pose({x[0] / test::pi, x[1] / test::pi}), q);
   };
   const Jet<3> jet = over->equation.jet<3>(place.over());
   for (std::size_t n = 1; n <= 3; ++n)
     for (std::size_t k = 0; k <= n; ++k)
       EXPECT_NEAR(middle_of(jet.at(n - k, k)),
-                  difference(half_residual, {EIGEN_PI * at[0], EIGEN_PI * at[1]}, n - k, k), 1e-5)
+                  difference(half_residual, {test::pi * at[0], test::pi * at[1]}, n - k, k), 1e-5)
           << held.robot->name() << ", leg " << slice.leg(i) + 1 << ": " << at[0] << ", " << at[1];
 }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/pi.h"
 #include "support/robots.h"
 #include "support/slices.h"
 #include <array>
@@ -23,7 +24,7 @@ using test::uniform;
 
 // Half the squared length of a leg by the inverse problem, at a direction and an angle [half turns].
 double half_square(const Robot& robot, const MapSlice& slice, std::size_t leg, double a, double phi) {
-  const Pose pose = circle_of_anchor(*robot, *slice.joint).pose(EIGEN_PI * a, EIGEN_PI * phi);
+  const Pose pose = circle_of_anchor(*robot, *slice.joint).pose(test::pi * a, test::pi * phi);
   const double q = inverse(*robot, pose, working_modes(*robot).front()).q[static_cast<Eigen::Index>(leg)];
   return 0.5 * robot->leg(leg).squared_distance(q);
 }
@@ -77,8 +78,8 @@ TEST(StrutSlice, HasDerivativesThatAreDifferences) {
       return struts.half_square<3>(0, SliceTurns(std::array<double, 2>{x, y}));
     };
     const auto at = jet(a, phi);
-    const std::array<Jet<3>, 2> after{jet(a + step / EIGEN_PI, phi), jet(a, phi + step / EIGEN_PI)};
-    const std::array<Jet<3>, 2> before{jet(a - step / EIGEN_PI, phi), jet(a, phi - step / EIGEN_PI)};
+    const std::array<Jet<3>, 2> after{jet(a + step / test::pi, phi), jet(a, phi + step / test::pi)};
+    const std::array<Jet<3>, 2> before{jet(a - step / test::pi, phi), jet(a, phi - step / test::pi)};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; i + k < 3; ++k)
         for (std::size_t axis = 0; axis < 2; ++axis) {

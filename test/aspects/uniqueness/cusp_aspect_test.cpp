@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/pi.h"
 #include "support/robots.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"
@@ -54,7 +55,7 @@ struct EqualPair {
 /// Of three solutions, for an angle that has them. They come by falling det A.
 std::optional<EqualPair> pair_beside(const Manipulator& robot, const Cusp& cusp, double radius) {
   for (int i = 0; i < 3600; ++i) {
-    const auto near = solutions_at(robot, cusp, radius, 2.0 * EIGEN_PI * (i * 1117 % 3600) / 3600.0);
+    const auto near = solutions_at(robot, cusp, radius, 2.0 * test::pi * (i * 1117 % 3600) / 3600.0);
     if (near.size() != 3) continue;
     return near[1].determinant > 0.0 ? EqualPair{1, {near[0].pose, near[1].pose}}
                                      : EqualPair{-1, {near[1].pose, near[2].pose}};

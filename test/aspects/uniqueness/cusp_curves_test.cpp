@@ -11,6 +11,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "support/pi.h"
 #include "support/random_robots.h"
 #include "support/robots.h"
 #include "support/slices.h"
@@ -140,8 +141,8 @@ std::size_t most_solutions_beside(const Robot& robot, const Cusp& cusp, double r
   std::size_t most = 0;
   for (int i = 0; i < 1800 && most < 3; ++i) {
     JointVector q = cusp.actuated;
-    q[1] += radius * std::cos(EIGEN_PI * i / 900.0);
-    q[2] += radius * std::sin(EIGEN_PI * i / 900.0);
+    q[1] += radius * std::cos(test::pi * i / 900.0);
+    q[2] += radius * std::sin(test::pi * i / 900.0);
     std::size_t near = 0;
     for (const AssemblyMode& mode : direct(*robot, q).solutions)
       if ((mode.pose.position - cusp.pose.position).norm() < 3.0) ++near;
@@ -183,7 +184,7 @@ TEST(CuspCurves, BeginAndEndAtCuspsOfTheEndsOfTheRange) {
 HeldRange range_about_pose(const Robot& robot, double width, std::mt19937_64& random) {
   for (;;) {
     const Pose pose = Pose::planar(uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0),
-                                   uniform(random, -EIGEN_PI, EIGEN_PI));
+                                   uniform(random, -test::pi, test::pi));
     const auto modes = working_modes(*robot);
     const InverseSolution found = inverse(*robot, pose, modes[random() % modes.size()]);
     if (found) return {0, found.q[0] - 0.5 * width, found.q[0] + 0.5 * width};
@@ -215,13 +216,13 @@ std::optional<CuspTrace> trace_through(const Robot& robot, const Cusp& cusp, con
   const PlanarHeldSlice held(*robot, *slice.joint);
   CuspFamily family(held, held.postures().front());
   const auto& turn = cusp.pose.orientation;
-  const MapPoint at{std::atan2(rod.y(), rod.x()) / EIGEN_PI,
-                    std::remainder(2.0 * std::atan2(turn.z(), turn.w()), 2.0 * EIGEN_PI) / EIGEN_PI,
-                    cusp.actuated[0] / EIGEN_PI};
+  const MapPoint at{std::atan2(rod.y(), rod.x()) / test::pi,
+                    std::remainder(2.0 * std::atan2(turn.z(), turn.w()), 2.0 * test::pi) / test::pi,
+                    cusp.actuated[0] / test::pi};
   const auto start = cusp_near(family, 2, at);
   if (!start) return std::nullopt;
   return trace_cusps(family, *start,
-                     {range.lower() / EIGEN_PI, range.upper() / EIGEN_PI, {1.0, 1.0, EIGEN_PI / 20.0}}, {},
+                     {range.lower() / test::pi, range.upper() / test::pi, {1.0, 1.0, test::pi / 20.0}}, {},
                      {});
 }
 
@@ -241,7 +242,7 @@ CurveRuns runs_of_trace(const Robot& robot, const CuspTrace& trace, double lower
   const RoundingUpward rounding;
   const PlanarHeldSlice held(*robot, *slice.joint);
   CuspFamily family(held, held.postures().front());
-  return runs_of(family, trace, {lower / EIGEN_PI, upper / EIGEN_PI});
+  return runs_of(family, trace, {lower / test::pi, upper / test::pi});
 }
 
 // Of ten cusps in one slice some are on a curve that comes back to its start, which passes each value as
@@ -281,7 +282,7 @@ TEST(CuspFamily, HasTheGradientsOfItsFunctions) {
       const RoundingUpward rounding;
       const PlanarHeldSlice held_slice(*robot, *slice.joint);
       CuspFamily family(held_slice, held_slice.postures().back());
-      const MapPoint at{uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0), held / EIGEN_PI};
+      const MapPoint at{uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0), held / test::pi};
       const auto found = family.at(at);
       for (std::size_t k = 0; found && k < 3; ++k) {
         constexpr double step = 1e-6;
@@ -292,7 +293,7 @@ TEST(CuspFamily, HasTheGradientsOfItsFunctions) {
         if (!below || !above) continue;
         for (std::size_t n = 0; n < 3; ++n) {
           const double slope =
-              (above->values[n].lower() - below->values[n].lower()) / (2.0 * EIGEN_PI * step);
+              (above->values[n].lower() - below->values[n].lower()) / (2.0 * test::pi * step);
           const double claimed = found->gradients[n][k].lower();
           EXPECT_NEAR(claimed, slope, 1e-4 * (1.0 + std::abs(slope))) << robot->name() << n << k;
           ++compared;

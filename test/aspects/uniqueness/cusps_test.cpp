@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "support/pi.h"
 #include "support/random_robots.h"
 #include "support/robots.h"
 #include "support/shipped.h"
@@ -117,7 +118,7 @@ class SliceByInverse {
 
   /// Not a number where a leg does not reach.
   Vector2d values(const Vector2d& x) const {
-    const Pose pose = slice_.pose({x[0] / EIGEN_PI, x[1] / EIGEN_PI});
+    const Pose pose = slice_.pose({x[0] / test::pi, x[1] / test::pi});
     Vector2d q;
     for (std::size_t i = 0; i < 2; ++i) {
       const Eigen::Vector3d anchor = pose.transform(legs_[i]->anchor);
@@ -146,7 +147,7 @@ class SliceByInverse {
     for (std::size_t i = 0; i < 2; ++i)
       if (legs_[i]->actuated_by_angle()) {
         double& each = result[static_cast<Eigen::Index>(i)];
-        each = std::remainder(each, 2.0 * EIGEN_PI);
+        each = std::remainder(each, 2.0 * test::pi);
       }
     return result;
   }
@@ -157,7 +158,7 @@ class SliceByInverse {
 };
 
 double distance(const Vector2d& a, const Vector2d& b) {
-  return std::hypot(std::remainder(a[0] - b[0], 2.0 * EIGEN_PI), std::remainder(a[1] - b[1], 2.0 * EIGEN_PI));
+  return std::hypot(std::remainder(a[0] - b[0], 2.0 * test::pi), std::remainder(a[1] - b[1], 2.0 * test::pi));
 }
 
 /// Cusps by Newton's method with differences in double precision, from many poses.
@@ -168,7 +169,7 @@ class CuspsByNewton {
   std::vector<Vector2d> find(std::mt19937_64& random, int starts) const {
     std::vector<Vector2d> found;
     for (int i = 0; i < starts; ++i) {
-      Vector2d x(uniform(random, -EIGEN_PI, EIGEN_PI), uniform(random, -EIGEN_PI, EIGEN_PI));
+      Vector2d x(uniform(random, -test::pi, test::pi), uniform(random, -test::pi, test::pi));
       if (!converges(x)) continue;
       const auto same = [&](const Vector2d& y) { return distance(x, y) < 1e-4; };
       if (std::none_of(found.begin(), found.end(), same)) found.push_back(x);
@@ -218,7 +219,7 @@ CuspBoxes cusp_boxes(const HeldSlice& slice) {
 }
 
 Vector2d middle_of(const CuspBox& cusp) {
-  return EIGEN_PI * Vector2d(cusp.box.center(0), cusp.box.center(1));
+  return test::pi * Vector2d(cusp.box.center(0), cusp.box.center(1));
 }
 
 /// Of what Newton's method finds in all postures, with `starts` each: how many of them are among the cusps
@@ -268,11 +269,11 @@ TEST_P(CuspsOfSlices, HaveTheJointValuesOfTheInverseProblem) {
     const auto slice = slice_of(held);
     for (const SlicePosture& posture : slice->postures()) {
       const SliceByInverse by_inverse(held, *slice, posture);
-      const Vector2d x(uniform(random, -EIGEN_PI, EIGEN_PI), uniform(random, -EIGEN_PI, EIGEN_PI));
+      const Vector2d x(uniform(random, -test::pi, test::pi), uniform(random, -test::pi, test::pi));
       const Matrix2d expected = by_inverse.jacobian(x);
       if (!expected.allFinite()) continue;
       const RoundingUpward rounding;
-      const SlicePlace at(std::array<double, 2>{x[0] / EIGEN_PI, x[1] / EIGEN_PI});
+      const SlicePlace at(std::array<double, 2>{x[0] / test::pi, x[1] / test::pi});
       for (std::size_t i = 0; i < 2; ++i) {
         if (!held.robot->leg(slice->leg(i)).kind().moves_proximal_point) continue;
         const auto leg = slice->leg_over(i, posture[i], at);
@@ -302,7 +303,7 @@ std::array<std::size_t, 2> solutions_beside(const HeldCase& held, const Cusp& cu
              second = static_cast<Eigen::Index>(leg == 2 ? 1 : 2);
   std::array<std::size_t, 2> range{1000, 0};
   for (int i = 0; i < 1800 && !(range[0] <= 1 && range[1] >= 3); ++i) {
-    const double angle = 2.0 * EIGEN_PI * (i * 1117 % 1800) / 1800.0;  // all of them, not in turn
+    const double angle = 2.0 * test::pi * (i * 1117 % 1800) / 1800.0;  // all of them, not in turn
     JointVector q = cusp.actuated;
     q[first] += radius * std::cos(angle);
     q[second] += radius * std::sin(angle);
