@@ -75,7 +75,8 @@ DrawnPicture::~DrawnPicture() {
   meshes_.clear();
   lines_.clear();
   for (Text& text : texts_) {
-    text.node->detachAllObjects();
+    for (const auto& copy : text.copies) copy->detachFromParent();
+    text.node->removeAndDestroyAllChildren();
     scene_->destroySceneNode(text.node);
   }
   texts_.clear();
@@ -119,6 +120,7 @@ void DrawnPicture::add_text(const Label& label, Ogre::SceneNode* parent, double 
   texts_.push_back(std::move(text));
 }
 
+// In a node of its own, as words have no name, and Ogre takes each name once in a node.
 void DrawnPicture::add_copy(const Label& label, std::uint32_t color, Ogre::uint8 queue, Text& text) {
   auto copy = std::make_unique<rviz::MovableText>(label.text, "Liberation Sans",
                                                   static_cast<float>(text.height), ogre_color(color));
@@ -126,7 +128,7 @@ void DrawnPicture::add_copy(const Label& label, std::uint32_t color, Ogre::uint8
                          text.is_legend ? rviz::MovableText::V_ABOVE : rviz::MovableText::V_CENTER);
   copy->showOnTop(true);
   copy->setRenderQueueGroup(queue);
-  text.node->attachObject(copy.get());
+  text.node->createChildSceneNode()->attachObject(copy.get());
   text.copies.push_back(std::move(copy));
 }
 
