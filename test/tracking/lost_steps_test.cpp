@@ -34,20 +34,14 @@ std::shared_ptr<const Manipulator> five_bar(double velocity) {
   return test::manipulator("five_bar", TaskSpace::T2, std::move(legs));
 }
 
-Pose at(double x, double y) {
-  Pose pose;
-  pose.position << x, y, 0.0;
-  return pose;
-}
-
 /// The five-bar at rest at (4.5, 8), lost by a silence of a second.
 class LostAtRest : public testing::Test {
  protected:
   Tracker lost(double velocity, const TrackerOptions& options = {}) const {
     const auto robot = five_bar(velocity);
-    const JointVector q = inverse(*robot, at(4.5, 8.0), *WorkingMode::from_signs({-1, -1})).q;
+    const JointVector q = inverse(*robot, Pose::planar(4.5, 8.0), *WorkingMode::from_signs({-1, -1})).q;
     Tracker tracker(robot, options);
-    EXPECT_TRUE(tracker.start_near(0.0, q, at(4.5, 8.0), 1e-6));
+    EXPECT_TRUE(tracker.start_near(0.0, q, Pose::planar(4.5, 8.0), 1e-6));
     tracker.update(0.01, q);
     EXPECT_EQ(tracker.update(1.01, q).ambiguity, Ambiguity::silence);
     tracker.take_transitions();
@@ -98,7 +92,7 @@ TEST_F(LostAtRest, IsNotFoundWithoutABound) {
   EXPECT_FALSE(contradicted.find_candidates()) << "its pose was one that measured joints contradict";
 }
 
-struct Counts {
+struct LossCounts {
   int lost = 0, moved = 0, found = 0,
       wrong = 0;  // of those lost, moved to another one of the same joint values
   std::string first_wrong;
@@ -113,7 +107,7 @@ class LostSteps {
     middle_ = mechanism.assembled().pose;
   }
 
-  Counts run(int losses) {
+  LossCounts run(int losses) {
     for (int i = 0; counts_.lost < losses && i < 40 * losses; ++i)
       i % 3 == 2 ? long_step() : silence(i % 3 == 0);
     return counts_;
@@ -233,7 +227,7 @@ class LostSteps {
   Pose middle_, pose_;  // of the robot as it was assembled; where a trial begins
   JointVector q_;
   WorkingMode mode_;
-  Counts counts_;
+  LossCounts counts_;
 };
 
 class EveryRobot : public testing::TestWithParam<const char*> {};
@@ -241,7 +235,7 @@ class EveryRobot : public testing::TestWithParam<const char*> {};
 TEST_P(EveryRobot, IsFoundAgainAndNeverInAWrongAssemblyMode) {
   const auto mechanism = test::shipped(GetParam());
   const bool slow = mechanism->manipulator()->task_space() == TaskSpace::SE3;  // to list direct solutions
-  const Counts counts = LostSteps(*mechanism, 20261128).run(slow ? 30 : 60);
+  const LossCounts counts = LostSteps(*mechanism, 20261128).run(slow ? 30 : 60);
   EXPECT_EQ(counts.wrong, 0) << counts.first_wrong;
   EXPECT_GT(counts.found, 0);
   EXPECT_LE(counts.found, counts.lost - counts.moved) << "what was moved to another one is not";

@@ -188,8 +188,8 @@ TEST(PlanPath, GoesThroughACorridorOfCorners) {
   MapOptions options;
   options.slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, 14.98}});
   const AnchorCircle circle = circle_of_anchor(*robot, *options.slice->joint);
-  const PathEnd from{circle.nearest(Pose::planar(14.67394366, -3.01260312, 2.13290437))},
-      to{circle.nearest(Pose::planar(-5.49566082, -13.93549828, -0.04733137))};
+  const PathEnd from{circle.nearest(Pose::planar(14.67394366, -3.01260312, 2.13290437)), {}},
+      to{circle.nearest(Pose::planar(-5.49566082, -13.93549828, -0.04733137)), {}};
   const auto map = test::map_of(robot, options);
   const PlannedPath path = PathPlanner(map).plan(from, to, PathPolicy::stay);
   ASSERT_TRUE(path) << path.message;
