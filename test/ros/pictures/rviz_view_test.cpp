@@ -19,8 +19,7 @@ using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 
 YAML::Node view_of(const std::string& robot) {
-  NodeSetup setup;
-  setup.mechanism = test::shipped(robot);
+  const NodeSetup setup{SharedMechanism(test::shipped(robot)), NodeOptions()};
   return YAML::Load(with_view_of(test::source_file("rviz/surfaces.rviz"), setup));
 }
 
