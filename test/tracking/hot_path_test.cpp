@@ -103,7 +103,7 @@ TEST(HotPath, AllocatesNothing) {
   Pose pose;
   pose.position << 4.5, 8.0, 0.0;
   const JointVector q = inverse(*five_bar, pose, *WorkingMode::from_signs({-1, -1})).q;
-  const Seen planar = walk(five_bar, q, 0.03, 60);
+  const Seen planar = walk(five_bar, q, 0.03, 300);
   EXPECT_EQ(planar.allocations, 0);
   EXPECT_GT(planar.updates, 10000);
   EXPECT_GT(planar.crossings, 10);

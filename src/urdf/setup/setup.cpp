@@ -265,12 +265,12 @@ class Setup {
     return std::find(links.begin(), links.end(), link) != links.end();
   }
 
-  // Rods without any length make no robot.
+  // Rods without any length make no robot. A single pair may be that of hubs, which are held at their joints.
   bool are_all_blunt(const OpenEnds& ends) const {
     const std::vector<EndPair> pairs = first_pairs(ends);
-    return std::all_of(pairs.begin(), pairs.end(), [&](const EndPair& pair) {
-      return contains(ends.blunt, pair.one) && contains(ends.blunt, pair.other);
-    });
+    return pairs.size() > 1 && std::all_of(pairs.begin(), pairs.end(), [&](const EndPair& pair) {
+             return contains(ends.blunt, pair.one) && contains(ends.blunt, pair.other);
+           });
   }
 
   // Where nothing was tried, each end with what may be the platform.
