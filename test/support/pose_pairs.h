@@ -3,10 +3,12 @@
 #define PARALLEL_ASPECTS_TEST_SUPPORT_POSE_PAIRS_H
 
 #include "aspects/roadmap/pose_sampler.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/model/pose.h"
 
+#include "support/thoroughness.h"
 #include <cmath>
 #include <map>
 #include <memory>
@@ -84,6 +86,16 @@ class PosePairs {
   PoseSampler sampler_;
   std::map<std::size_t, std::vector<Pose>> known_;  // by mode
 };
+
+/// A roadmap of the working modes that a few questions need is enough.
+inline std::shared_ptr<const PoseRoadmap> roadmap_of(const std::shared_ptr<const Manipulator>& robot,
+                                                     const std::vector<WorkingMode>& modes,
+                                                     std::size_t samples) {
+  RoadmapOptions options;
+  options.samples = is_sanitized ? samples / 4 : samples;
+  options.modes = modes;
+  return compute_pose_roadmap(robot, options).roadmap;
+}
 
 }  // namespace parallel_aspects::test
 

@@ -17,6 +17,9 @@
 
 namespace parallel_aspects::test {
 
+/// That of Eigen has more digits than a double.
+inline constexpr double pi = EIGEN_PI;
+
 using Robot = std::shared_ptr<const Manipulator>;
 using Held = std::vector<HeldCoordinate>;
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "motion/plan/leaf_passages.h"
-
 #include "aspects/components/climb.h"
 #include "aspects/map/map_location.h"
 #include "aspects/tree/neighbour_leaves.h"

@@ -4,7 +4,6 @@
 
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/map/map_contents.h"
-#include "motion/plan/leaf_passages.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <cstddef>
@@ -15,6 +14,27 @@
 #include <vector>
 
 namespace parallel_aspects {
+
+class FaceComponents;
+
+/// From an inside leaf to another one of the aspect, which may share no face with it.
+struct LeafPassage {
+  NodeIndex to = no_node;
+  std::vector<Pose> poses;  ///< the first in the one leaf, the last in the other
+};
+
+/// Those that begin in a leaf.
+using LeafPassages = std::unordered_map<NodeIndex, std::vector<LeafPassage>>;
+
+/// From this inside leaf through one undecided leaf beside both, where its faces to them are nearest to each
+/// other, maybe in one pose; whether the segment is free is not proved.
+std::vector<LeafPassage> passages_beside(const AspectMap::Contents& map, const Aspect& aspect,
+                                         NodeIndex leaf);
+
+/// Climbs, as those by which a map joins what no faces of inside leaves connect, from parts other than the
+/// largest to the first leaf of another part, and back. Each segment is proved.
+LeafPassages climbs_between_parts(const AspectMap::Contents& map, const Aspect& aspect,
+                                  FaceComponents& components);
 
 /// How far the platform moves from one pose to another: the distance of the operational point, and the
 /// rotation times the characteristic length [m].

@@ -3,7 +3,6 @@
 
 #include "ros/messages/conversions.h"
 #include "ros/pictures/marker_batch.h"
-#include "ros/pictures/skeleton.h"
 #include "urdf/reading/tree_reader.h"
 
 #include <urdf_parser/urdf_parser.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/pictures/skeleton.h"
+#include "ros/pictures/robot_visuals.h"
 
 #include <utility>
 

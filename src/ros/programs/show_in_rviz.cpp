@@ -2,7 +2,7 @@
 //
 // Becomes rviz, with a view that fits the robot that aspect_node was given. Parameters: ~server (name of that
 // node), ~config (rviz configuration file, of which the view is replaced).
-#include "ros/pictures/rviz_view.h"
+#include "ros/programs/rviz_view.h"
 
 #include <ros/ros.h>
 

@@ -2,7 +2,7 @@
 #include "rviz/display/present_points.h"
 
 #include "parallel_aspects/kinematics/inverse.h"
-#include "ros/pictures/skeleton.h"
+#include "ros/pictures/robot_visuals.h"
 #include "rviz/display/ogre_types.h"
 #include "rviz/display/workspace_painter.h"
 

@@ -6,9 +6,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "support/pi.h"
 #include "support/random_robots.h"
 #include "support/robots.h"
+#include "support/slices.h"
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "support/pi.h"
 #include "support/robots.h"
 #include "support/slices.h"
 #include <array>

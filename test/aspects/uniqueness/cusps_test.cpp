@@ -9,7 +9,6 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "support/pi.h"
 #include "support/random_robots.h"
 #include "support/robots.h"
 #include "support/shipped.h"

@@ -13,7 +13,6 @@
 #include "support/campaign_figures.h"
 #include "support/index_at.h"
 #include "support/pose_pairs.h"
-#include "support/roadmap_of.h"
 #include "support/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>

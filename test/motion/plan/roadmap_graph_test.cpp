@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "support/pose_pairs.h"
-#include "support/roadmap_of.h"
 #include "support/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>

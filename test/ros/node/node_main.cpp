@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
-#include "support/tests_of_file.h"
+#include "main/tests_of_file.h"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

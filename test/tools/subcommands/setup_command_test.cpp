@@ -83,7 +83,7 @@ TEST_F(SetupCommand, WritesTheHomePoseAsTheStart) {
         << config;
     const std::string coordinates = pose.str(1);
     const json inverse = test::run_json(
-        {"inverse", "--urdf", robot.c_str(), "--config", output_.c_str(), "--pose", coordinates.c_str()});
+        {"ik", "--urdf", robot.c_str(), "--config", output_.c_str(), "--pose", coordinates.c_str()});
     const json& solutions = inverse.at("solutions");
     EXPECT_TRUE(std::any_of(solutions.begin(), solutions.end(),
                             [](const json& each) { return each.at("status") == "solved"; }))
@@ -118,7 +118,8 @@ TEST_F(SetupCommand, LeavesALaunchFileThatExists) {
 TEST_F(SetupCommand, TellsNoNumbersThatAreNoise) {
   for (const char* name : {"layered_five_bar", "wrist"}) {
     const std::string robot = urdf("test/data/setup/" + std::string(name) + ".urdf");
-    const std::string told = run({"setup", robot.c_str(), "-o", (output_ + name).c_str()}).output;
+    const std::string told =
+        run({"setup", robot.c_str(), "-o", (folder_ / (std::string(name) + ".yaml")).c_str()}).output;
     EXPECT_NE(told.find("home pose: "), std::string::npos) << told;
     EXPECT_FALSE(std::regex_search(told, std::regex("-0[,) \"\n]|e-1[0-9]"))) << told;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TEST_SUPPORT_TESTS_OF_FILE_H
-#define PARALLEL_ASPECTS_TEST_SUPPORT_TESTS_OF_FILE_H
+#ifndef PARALLEL_ASPECTS_TEST_MAIN_TESTS_OF_FILE_H
+#define PARALLEL_ASPECTS_TEST_MAIN_TESTS_OF_FILE_H
 
 #include <gtest/gtest.h>
 
@@ -47,4 +47,4 @@ inline void choose_tests_of_file(int argc, char** argv) {
 
 }  // namespace parallel_aspects::test
 
-#endif  // PARALLEL_ASPECTS_TEST_SUPPORT_TESTS_OF_FILE_H
+#endif  // PARALLEL_ASPECTS_TEST_MAIN_TESTS_OF_FILE_H

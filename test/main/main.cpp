@@ -3,7 +3,7 @@
 // Main of the programs that hold the tests of a room.
 #include <gtest/gtest.h>
 
-#include "support/tests_of_file.h"
+#include "main/tests_of_file.h"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ROS_PICTURES_RVIZ_VIEW_H
-#define PARALLEL_ASPECTS_ROS_PICTURES_RVIZ_VIEW_H
+#ifndef PARALLEL_ASPECTS_ROS_PROGRAMS_RVIZ_VIEW_H
+#define PARALLEL_ASPECTS_ROS_PROGRAMS_RVIZ_VIEW_H
 
 #include "ros/parameters/load_options.h"
 
@@ -15,4 +15,4 @@ std::string with_view_of(const std::string& config, const NodeSetup& setup);
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ROS_PICTURES_RVIZ_VIEW_H
+#endif  // PARALLEL_ASPECTS_ROS_PROGRAMS_RVIZ_VIEW_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/pictures/rviz_view.h"
+#include "ros/programs/rviz_view.h"
 
 #include "parallel_aspects/aspects/joint_projection.h"
 #include "parallel_aspects/aspects/uniqueness.h"
