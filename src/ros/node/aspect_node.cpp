@@ -8,8 +8,6 @@
 #include <cstdlib>
 
 int main(int argc, char** argv) {
-  // Several nodes may write to one terminal. Whoever has set a format keeps it.
-  setenv("ROSCONSOLE_FORMAT", "[${severity}] [${time}] [${node}]: ${message}", 0);
   ros::init(argc, argv, "aspect_node");
   const ros::NodeHandle nh, private_nh("~");  // the log ends with the last of its handles
   try {

@@ -114,11 +114,6 @@ TEST(BadDescription, AnOptionIsOutOfRange) {
 }
 
 // Of several nodes in one terminal.
-TEST(BadDescription, EveryLineNamesItsNode) {
-  for (const char* name : {"/left", "/right"})
-    expect_refused(name, {std::string("[") + name + "/aspect_node]: "});
-}
-
 TEST(BadDescription, NothingWasAdvertised) {
   ros::master::V_TopicInfo topics;
   ASSERT_TRUE(ros::master::getTopics(topics));

@@ -185,7 +185,7 @@ TEST(ProblemsOf, AResolutionThatIsTooFineIsRefusedWithItsLimit) {
   const Problems problems = problems_of(options, *test::five_bar(), "/node/");
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_TRUE(mention(problems, "/node/map/resolution gives no map: The resolution is too fine"));
-  EXPECT_TRUE(mention(problems, "no box has edges below 1e-07")) << problems.front();
+  EXPECT_TRUE(mention(problems, "no box has edges below 9.69e-08")) << problems.front();
   options.map.resolution = 0.01;
   EXPECT_TRUE(problems_of(options, *test::five_bar(), "/node/").empty());
 }

@@ -161,7 +161,6 @@ TEST(PanelModel, DrawsDistancesOnOneScale) {
   EXPECT_EQ(gauges[2].text, "none");
   EXPECT_EQ(gauges[2].lower, 0.0) << "an empty bar";
   EXPECT_EQ(gauges[2].upper, 0.0);
-  EXPECT_EQ(gauges[2].lower, 1.0);
   EXPECT_EQ(gauges[2].tone, Tone::clear);
   for (const DistanceGauge& each : {gauges[0], gauges[1]}) {
     EXPECT_EQ(each.tone, Tone::unknown) << "without a threshold nothing is near";
