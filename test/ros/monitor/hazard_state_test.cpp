@@ -90,7 +90,7 @@ class NearDeterminantZero : public RobotMonitorTest {
   NodeOptions options() const {
     NodeOptions options = start_at_pose(4.5, 8.0);
     options.thresholds.parallel_warn = 0.1 * nearest_.upper;
-    options.tracking.check_velocity =
+    options.tracking.samples.check_velocity =
         false;  // so that no bound on the motion proves where the robot is again
     return options;
   }
