@@ -60,9 +60,7 @@ install_from_debian() {
   as_root apt-get update -q && as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y "$@"
 }
 
-ros_is_installed() { command -v rospack > /dev/null && [ -n "$(find_package_path roscpp)" ]; }
-
-find_package_path() { rospack find "$1" 2> /dev/null || true; }
+ros_is_installed() { rospack find roscpp > /dev/null 2>&1; }
 
 # Options for every cmake: ccache, where it is there, which may take precompiled headers for what they were made of.
 cmake_options=()
@@ -72,9 +70,12 @@ if command -v ccache > /dev/null; then cmake_options+=(-DCMAKE_CXX_COMPILER_LAUN
 # For what is built once, rather than worked on: a room at a time takes half the processor time.
 by_room=(-DPARALLEL_ASPECTS_BY_ROOM=ON)
 
-# What decides how a source of the package is compiled. Warnings are errors with the compiler that they were looked at with.
-release=(-DCMAKE_BUILD_TYPE=Release -DPARALLEL_ASPECTS_PRECOMPILED_HEADERS=tests "${by_room[@]}")
-if [ "$(g++ -dumpversion 2> /dev/null)" = 12 ]; then release+=(-DPARALLEL_ASPECTS_WERROR=ON); fi
+# Into `release`: what decides how a source of the package is compiled. Warnings are errors with the compiler that they were
+# looked at with, which a bare machine has only once packages are installed.
+choose_release() {
+  release=(-DCMAKE_BUILD_TYPE=Release -DPARALLEL_ASPECTS_PRECOMPILED_HEADERS=tests "${by_room[@]}")
+  if [ "$(g++ -dumpversion)" = 12 ]; then release+=(-DPARALLEL_ASPECTS_WERROR=ON); fi
+}
 
 # quietly LOG COMMAND...: shows the output only where the command fails.
 quietly() {
@@ -91,6 +92,7 @@ quietly() {
 # compiled. What another has asked for stays on. ROS is looked for each time: the core is compiled the same with and without.
 configure() {
   local ros=OFF
+  choose_release
   if ros_is_installed; then
     ros=ON
     # Tests run in the environment of the first configuration, where a folder counts that exists by then.
