@@ -59,7 +59,7 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
   if (claim == Claim::contested)
     return refuse(Status::SEVERAL_PUBLISHERS, both(publisher, other), stamp, now);
   if (claim == Claim::waiting && status_.code == Status::SEVERAL_PUBLISHERS) last_refused_ = now;
-  // Nothing is said while the other may have ended; but by a clock that stands still none ever has.
+  // Nothing is reported while the other publisher may have ended; by a clock that stands still it never has.
   if (claim == Claim::waiting && !age_.halted()) return {};
   const bool again = sample.status == SampleStatus::usable && stamp == age_.stamp();
   if (again && last_q_ && sample.q == *last_q_) return {};
