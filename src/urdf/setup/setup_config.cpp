@@ -179,7 +179,8 @@ class Writer {
     if (!draft_.task_space || !draft_.home) return;
     const PoseCoordinates coordinates = pose_coordinates(*draft_.task_space, *draft_.home);
     std::string values;
-    for (const double value : coordinates) values += (values.empty() ? "" : ", ") + coordinate_text(value);
+    for (Eigen::Index i = 0; i < coordinates.size(); ++i)
+      values += (i == 0 ? "" : ", ") + coordinate_text(coordinates[i]);
     text_ += "\nstart:\n";
     comment(indent,
             "Where the robot is when the monitor gets its first joint sample: a guess, the pose in which the "
