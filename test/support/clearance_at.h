@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_CLEARANCE_AT_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_CLEARANCE_AT_H
 
+#include "model/linear_algebra.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
@@ -169,7 +170,7 @@ class ClearanceAt {
         std::min({to_segment(a.from, b), to_segment(a.to, b), to_segment(b.from, a), to_segment(b.to, a)});
     Eigen::Matrix<double, 3, 2> directions;
     directions << a.to - a.from, b.from - b.to;
-    const Eigen::Vector2d shares = directions.colPivHouseholderQr().solve(b.from - a.from);
+    const Eigen::Vector2d shares = least_squares_solution(directions, b.from - a.from, 1e-15);
     if (!(shares.minCoeff() > 0.0 && shares.maxCoeff() < 1.0)) return ends;
     const double distance = (a.from - b.from + directions * shares).norm();
     return is_planar(robot_.task_space()) ? -ends : std::min(ends, distance);

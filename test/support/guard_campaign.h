@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_GUARD_CAMPAIGN_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_GUARD_CAMPAIGN_H
 
+#include "model/linear_algebra.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/model/anchor_distance.h"
@@ -111,8 +112,7 @@ inline void add_touching_witness(const Manipulator& robot, const Pose& pose, Bou
     for (const double side : {1.0, -1.0}) {
       const auto* crank = std::get_if<RevoluteActuation>(&leg.actuation);
       if (crank == nullptr) continue;
-      const Eigen::AngleAxisd turn(
-          Eigen::Quaterniond::FromTwoVectors(pose.transform(leg.anchor), side * crank->axis));
+      const Eigen::AngleAxisd turn(shortest_rotation(pose.transform(leg.anchor), side * crank->axis));
       const TaskVector twist = turn.angle() * turn.axis();
       const Pose there = displaced(robot.task_space(), pose, twist);
       const double distance = anchor_distance(robot, pose, there);

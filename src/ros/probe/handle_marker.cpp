@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/linear_algebra.h"
 #include "parallel_aspects/model/constraints.h"
 #include "ros/pictures/marker_colors.h"
 #include "ros/probe/probe_handle.h"
@@ -17,7 +18,7 @@ constexpr double handle_height = 0.1;  // of a planar robot: the mouse takes wha
 
 // A control acts along its x axis, or in the plane across it.
 InteractiveMarkerControl control(const std::string& name, std::uint8_t mode, const Eigen::Vector3d& axis) {
-  const auto turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), axis);
+  const auto turn = shortest_rotation(Eigen::Vector3d::UnitX(), axis);
   InteractiveMarkerControl result;
   result.name = name;
   result.interaction_mode = mode;

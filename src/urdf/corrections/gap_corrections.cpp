@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/corrections/gap_corrections.h"
 
+#include "model/linear_algebra.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/correction_text.h"
 
@@ -99,8 +100,7 @@ class GapCorrections {
         if (k == other) continue;
         add_turned(others[k].linear() * others[other].linear().transpose(), others[k], others);
         const Matrix3d turn =
-            Eigen::Quaterniond::FromTwoVectors(others[other].translation(), others[k].translation())
-                .toRotationMatrix();
+            shortest_rotation(others[other].translation(), others[k].translation()).toRotationMatrix();
         for (const Eigen::Isometry3d& turned : others) add_like(turned, turn * turned.translation(), others);
       }
   }

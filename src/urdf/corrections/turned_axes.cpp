@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/corrections/turned_axes.h"
 
+#include "model/linear_algebra.h"
 #include "urdf/corrections/anchors.h"
 
 #include <Eigen/Geometry>
@@ -70,7 +71,7 @@ std::vector<Vector3d> turned_axes(const Tree& tree, const ResolvedConfig& resolv
     if (!(other.dot(own) > nearly_half_a_turn)) continue;
     const Vector3d axis = poses[tree.joints[sibling.joint].child].linear() * tree.joints[sibling.joint].axis;
     axes.push_back(poses[tree.joints[joint].child].linear().transpose() *
-                   (Eigen::Quaterniond::FromTwoVectors(other, own) * axis));
+                   (shortest_rotation(other, own) * axis));
   }
   return axes;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/culprits/misfit_axes.h"
 
+#include "model/linear_algebra.h"
 #include "model/number_text.h"
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
@@ -211,7 +212,7 @@ class MisfitFinder {
   // With all that hangs on it, as where the rpy of its origin is wrong.
   void add_turned_frame(const Misfit& misfit, const std::string& from) {
     const TreeJoint& joint = joint_of(*misfit.axis);
-    const auto turn = Eigen::Quaterniond::FromTwoVectors(misfit.axis->direction, same_way(misfit));
+    const auto turn = shortest_rotation(misfit.axis->direction, same_way(misfit));
     const Eigen::Matrix3d parent = poses_[joint.parent].linear();
     Eigen::Isometry3d origin = joint.origin;
     origin.linear() = (parent.transpose() * turn.toRotationMatrix() * parent * joint.origin.linear()).eval();
