@@ -1,0 +1,13 @@
+# One build serves the tests under sanitizers and the fuzz targets: Clang's, with what libFuzzer counts by in every library.
+option(PARALLEL_ASPECTS_SANITIZERS "Build with Address- and UndefinedBehaviorSanitizer, and the fuzz targets; needs Clang" OFF)
+if(PARALLEL_ASPECTS_SANITIZERS)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "PARALLEL_ASPECTS_SANITIZERS needs Clang; configure with -DCMAKE_CXX_COMPILER=clang++-14.")
+  endif()
+  # Eigen takes blocks of empty matrices, which are null and an offset. Null and misaligned pointers and the sizes of objects
+  # are AddressSanitizer's and Eigen's to find; asked of every access, they double the build.
+  add_compile_options(-O1 -fno-omit-frame-pointer -fsanitize=address,undefined,fuzzer-no-link
+                      -fno-sanitize=pointer-overflow,null,alignment,object-size -fno-sanitize-recover=all)
+  # The runtime is shared: programs that were built without are run against these libraries.
+  add_link_options(-fsanitize=address,undefined -shared-libasan -frtlib-add-rpath)
+endif()
