@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/linear_algebra.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/kinematics/inverse.h"
@@ -153,8 +154,7 @@ void expect_node(const Manipulator& robot, const SolutionNode& node) {
   for (const Pose& pose : node.poses) {
     const JointVector q = inverse(robot, pose, mode).q;
     EXPECT_LT((q - node.actuated).norm(), 1e-8);
-    const Eigen::JacobiSVD<TaskMatrix> svd(homogenised_matrix(robot, pose, q));
-    EXPECT_LT(svd.singularValues().tail<1>()[0], 1e-9);
+    EXPECT_LT(singular_values(homogenised_matrix(robot, pose, q)).tail<1>()[0], 1e-9);
   }
   EXPECT_GT((node.poses[0].position - node.poses[1].position).norm() +
                 node.poses[0].orientation.angularDistance(node.poses[1].orientation),
