@@ -4,8 +4,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "support/robots.h"
-#include "support/shipped.h"
+#include "support/robots/robots.h"
+#include "support/robots/shipped.h"
 #include <filesystem>
 #include <memory>
 #include <variant>

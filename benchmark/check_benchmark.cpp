@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include <cmath>
 #include <memory>
 #include <vector>

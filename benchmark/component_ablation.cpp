@@ -6,7 +6,7 @@
 #include "aspects/map/map_computation.h"
 #include "aspects/map/map_plan.h"
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <algorithm>
 #include <atomic>
 #include <chrono>

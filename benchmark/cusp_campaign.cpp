@@ -10,7 +10,7 @@
 #include "parallel_aspects/tracking/tracker.h"
 
 #include "support/campaign_figures.h"
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include <cstddef>
 #include <cstdio>
 #include <memory>

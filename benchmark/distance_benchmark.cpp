@@ -8,7 +8,7 @@
 #include <benchmark/benchmark.h>
 
 #include "support/pose_pairs.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <algorithm>
 #include <chrono>
 #include <ctime>

@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "support/guard_campaign.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <string>
 
 namespace parallel_aspects {

@@ -4,7 +4,7 @@
 // Usage: guard_campaign RUNS SEED [ROBOT...]
 #include "support/guard_campaign.h"
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

@@ -4,9 +4,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include "support/round_trip.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <algorithm>
 #include <ctime>
 #include <vector>

@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "support/many_joints.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 
 namespace parallel_aspects {
 namespace {

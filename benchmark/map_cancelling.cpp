@@ -4,7 +4,7 @@
 //   map_cancelling ROBOT SECONDS [CANCELS]     SECONDS: over which the moments are spread
 #include "parallel_aspects/aspects/aspect_map.h"
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <algorithm>
 #include <atomic>
 #include <chrono>

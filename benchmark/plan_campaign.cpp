@@ -7,7 +7,7 @@
 
 #include "support/campaign_figures.h"
 #include "support/pose_pairs.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

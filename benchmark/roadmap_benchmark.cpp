@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "support/pose_pairs.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <algorithm>
 #include <atomic>
 #include <chrono>

@@ -6,7 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include "support/tracking_campaign.h"
 #include <algorithm>
 #include <chrono>

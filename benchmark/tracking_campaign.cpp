@@ -3,7 +3,7 @@
 // Prints a row of the table of docs/tracking.md for each robot: `tracking_campaign STEPS SEED [ROBOT...]`.
 #include "support/tracking_campaign.h"
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <cstdio>
 #include <cstdlib>
 #include <string>

@@ -9,7 +9,7 @@
 
 #include <ros/ros.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

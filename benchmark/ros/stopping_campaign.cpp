@@ -5,7 +5,7 @@
 // [rad or sizes] where they are stated.
 #include "ros/monitor/stopping_campaign.h"
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include "support/tracking_campaign.h"
 #include <cstdio>
 #include <cstdlib>

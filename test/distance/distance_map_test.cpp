@@ -16,7 +16,7 @@
 #include <gtest/gtest.h>
 
 #include "support/pose_pairs.h"
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include <atomic>
 #include <cmath>
 #include <limits>

@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "support/pose_pairs.h"
-#include "support/random_robots.h"
-#include "support/robots.h"
+#include "support/robots/random_robots.h"
+#include "support/robots/robots.h"
 #include <algorithm>
 #include <cmath>
 #include <memory>

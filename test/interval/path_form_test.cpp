@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random_robots.h"
+#include "support/robots/random_robots.h"
 #include <array>
 #include <cmath>
 #include <random>

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random_robots.h"
+#include "support/robots/random_robots.h"
 #include "support/round_trip.h"
 #include <algorithm>
 #include <tuple>

@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "support/random_robots.h"
+#include "support/robots/random_robots.h"
 #include <array>
 #include <cstddef>
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random_robots.h"
+#include "support/robots/random_robots.h"
 #include <cmath>
 #include <type_traits>
 #include <variant>

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/constrained_robots.h"
-#include "support/robots.h"
+#include "support/robots/constrained_robots.h"
+#include "support/robots/robots.h"
 
 namespace parallel_aspects {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/pose_pairs.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <atomic>
 #include <cmath>
 #include <memory>

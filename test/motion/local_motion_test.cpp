@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
-#include "support/robots.h"
-#include "support/shipped.h"
+#include "support/robots/robots.h"
+#include "support/robots/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
 #include <iostream>

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/pose_pairs.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include "support/sign_at.h"
 #include <algorithm>
 #include <cmath>

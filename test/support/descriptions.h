@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_TEST_SUPPORT_DESCRIPTIONS_H
 
 #include "support/loops.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <memory>
 #include <string>
 

@@ -5,11 +5,11 @@
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
-#include <variant>
+#include <cstddef>
 #include <vector>
 
 namespace parallel_aspects::test {
@@ -21,84 +21,28 @@ class IndexAt {
   using Vector = Eigen::Matrix<Number, 3, 1>;
   using Matrix = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
 
-  IndexAt(const Manipulator& robot, const Pose& pose, const JointVector& q)
-      : robot_(robot), turned_(pose.orientation.toRotationMatrix().cast<Number>()), q_(q) {
-    for (const Leg& leg : robot.legs()) middle_ += leg.anchor.cast<Number>();
-    middle_ /= static_cast<Number>(robot.leg_count());
-    for (std::size_t j = 0; j < robot.leg_count(); ++j) {
-      const Vector anchor = pose.position.cast<Number>() + turned_ * robot.leg(j).anchor.cast<Number>();
-      rods_.push_back(anchor - robot.leg(j).proximal_point(q[static_cast<Eigen::Index>(j)]).cast<Number>());
-      anchors_.push_back(anchor);
-    }
-  }
+  IndexAt(const Manipulator& robot, const Pose& pose, const JointVector& q);
 
   /// The volume that unit rows span: the root of the determinant of their products.
-  Number parallel() const {
-    if (robot_.task_space() == TaskSpace::T1) return std::abs(rods_[0].x()) / rods_[0].head(2).norm();
-    Matrix rows = all_rows();
-    rows.rowwise().normalize();
-    const Matrix products = rows * rows.transpose();
-    return std::sqrt(std::max<Number>(0.0L, products.determinant()));
-  }
+  Number parallel() const;
 
   Number determinant() const { return std::abs(signed_determinant()); }
 
-  Number signed_determinant() const {
-    if (robot_.task_space() == TaskSpace::T1) return rods_[0].x();
-    return std::pow(length(), static_cast<Number>(rotations())) * all_rows().determinant();
-  }
+  Number signed_determinant() const;
 
   /// Of the leg that is nearest to a serial singularity: the sine of an angle, or 1.
-  Number serial() const {
-    Number least = 1.0L;
-    for (std::size_t j = 0; j < rods_.size(); ++j) least = std::min(least, sine(j));
-    return least;
-  }
+  Number serial() const;
 
  private:
   std::size_t rotations() const { return rotational_degrees_of_freedom(robot_.task_space()); }
   bool moves() const { return robot_.leg_count() > rotations(); }
 
-  Number length() const {
-    if (!moves()) return 1.0L;
-    Number sum = 0.0L;
-    for (const Leg& leg : robot_.legs()) sum += (leg.anchor.cast<Number>() - middle_).squaredNorm();
-    return std::sqrt(sum / static_cast<Number>(robot_.leg_count()));
-  }
+  Number length() const;
 
   /// Moments over the characteristic length.
-  Matrix all_rows() const {
-    const auto n = static_cast<Eigen::Index>(robot_.leg_count()),
-               turns = static_cast<Eigen::Index>(rotations());
-    Matrix rows(n, n);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const Vector& u = rods_[static_cast<std::size_t>(j)];
-      const Vector from = robot_.leg(static_cast<std::size_t>(j)).anchor.cast<Number>() -
-                          (moves() ? middle_ : Vector(Vector::Zero()));
-      const Vector moment = (turned_ * from).cross(u) / length();
-      if (turns > 0) rows.row(j).head(turns) = moment.tail(turns).transpose();
-      rows.row(j).tail(n - turns) = u.head(n - turns).transpose();
-    }
-    return rows;
-  }
+  Matrix all_rows() const;
 
-  Number sine(std::size_t j) const {
-    const Leg& leg = robot_.leg(j);
-    const double q = q_[static_cast<Eigen::Index>(j)];
-    if (const auto* crank = std::get_if<RevoluteActuation>(&leg.actuation)) {
-      const Vector along = (leg.proximal_point(q) - crank->center).cast<Number>();
-      const Vector axis = crank->axis.cast<Number>();
-      return std::abs(axis.cross(along.normalized()).dot(rods_[j])) / static_cast<Number>(leg.rod_length);
-    }
-    if (const auto* rail = std::get_if<PrismaticActuation>(&leg.actuation))
-      return std::abs(rail->direction.cast<Number>().dot(rods_[j])) / static_cast<Number>(leg.rod_length);
-    if (std::get_if<StrutActuation>(&leg.actuation) != nullptr) return 1.0L;
-    // The elbow's sine by the law of cosines.
-    const auto& elbow = std::get<ElbowActuation>(leg.actuation);
-    const Number a = elbow.inner_length, b = elbow.outer_length;
-    const Number cosine = (a * a + b * b - rods_[j].squaredNorm()) / (2.0L * a * b);
-    return std::sqrt(std::max<Number>(0.0L, 1.0L - cosine * cosine));
-  }
+  Number sine(std::size_t j) const;
 
   const Manipulator& robot_;
   Eigen::Matrix<Number, 3, 3> turned_;

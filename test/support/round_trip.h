@@ -5,7 +5,7 @@
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
 
-#include "support/random_robots.h"
+#include "support/robots/random_robots.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>

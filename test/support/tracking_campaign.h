@@ -11,7 +11,7 @@
 
 #include <Eigen/LU>
 
-#include "support/random_robots.h"
+#include "support/robots/random_robots.h"
 #include "support/round_trip.h"
 #include <algorithm>
 #include <array>

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "support/counted_allocations.h"
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include <cmath>
 #include <limits>
 #include <memory>

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include <algorithm>
 #include <random>
 #include <vector>

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random_robots.h"
+#include "support/robots/random_robots.h"
 #include <cmath>
 #include <mpfr.h>
 #include <optional>

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "support/pose_pairs.h"
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include "support/thoroughness.h"
 #include <memory>
 #include <ostream>

@@ -12,7 +12,7 @@
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <algorithm>
 #include <filesystem>
 #include <sstream>

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/loops.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include "support/thoroughness.h"
 #include <array>
 #include <chrono>

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <cmath>
 #include <limits>
 #include <random>

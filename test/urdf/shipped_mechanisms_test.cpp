@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include "support/urdf_frames.h"
 #include <algorithm>
 #include <random>

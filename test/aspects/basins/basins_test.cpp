@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "support/index_at.h"
-#include "support/random_robots.h"
-#include "support/robots.h"
+#include "support/robots/random_robots.h"
+#include "support/robots/robots.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"
 #include <algorithm>

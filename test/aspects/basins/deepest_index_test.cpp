@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "support/configuration_at.h"
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"
 #include <cmath>

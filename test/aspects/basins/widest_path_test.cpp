@@ -5,7 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include "support/configuration_at.h"
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"
 #include <algorithm>

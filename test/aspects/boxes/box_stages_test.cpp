@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include <algorithm>
 #include <type_traits>
 

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "support/held_joint_at.h"
-#include "support/random_robots.h"
-#include "support/robots.h"
+#include "support/robots/random_robots.h"
+#include "support/robots/robots.h"
 #include "support/sign_at.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"

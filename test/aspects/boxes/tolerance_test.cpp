@@ -4,7 +4,7 @@
 // built within it: points moved in all directions of space, lengths changed, each by up to the whole
 // tolerance.
 #include "support/constrained_boxes.h"
-#include "support/robots_within.h"
+#include "support/robots/robots_within.h"
 
 namespace parallel_aspects {
 namespace {

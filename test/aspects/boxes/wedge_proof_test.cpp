@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/pose_pairs.h"
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include <cmath>
 #include <optional>
 #include <random>

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include "support/thoroughness.h"
 #include <algorithm>
 #include <cmath>

@@ -10,9 +10,9 @@
 
 #include "support/clearance_at.h"
 #include "support/constrained_boxes.h"
-#include "support/constrained_robots.h"
-#include "support/robots.h"
-#include "support/shipped.h"
+#include "support/robots/constrained_robots.h"
+#include "support/robots/robots.h"
+#include "support/robots/shipped.h"
 #include "support/thoroughness.h"
 #include <cmath>
 #include <string>

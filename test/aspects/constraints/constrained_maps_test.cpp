@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "support/clearance_at.h"
-#include "support/constrained_robots.h"
-#include "support/robots.h"
+#include "support/robots/constrained_robots.h"
+#include "support/robots/robots.h"
 #include "support/sign_at.h"
 #include "support/thoroughness.h"
 #include <functional>

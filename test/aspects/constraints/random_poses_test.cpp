@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/configuration_at.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include <algorithm>
 #include <atomic>
 #include <limits>

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/constrained_robots.h"
-#include "support/robots.h"
+#include "support/robots/constrained_robots.h"
+#include "support/robots/robots.h"
 #include <functional>
 #include <variant>
 #include <vector>

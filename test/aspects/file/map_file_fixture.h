@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "support/held_joint_at.h"
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include "support/thoroughness.h"
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/robots.h"
-#include "support/shipped.h"
+#include "support/robots/robots.h"
+#include "support/robots/shipped.h"
 #include "support/sign_at.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"

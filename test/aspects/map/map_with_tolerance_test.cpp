@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/robots.h"
-#include "support/robots_within.h"
+#include "support/robots/robots.h"
+#include "support/robots/robots_within.h"
 #include "support/thoroughness.h"
 #include <map>
 #include <random>

@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "support/constrained_robots.h"
-#include "support/robots.h"
-#include "support/scaled_robot.h"
-#include "support/shipped.h"
+#include "support/robots/constrained_robots.h"
+#include "support/robots/robots.h"
+#include "support/robots/scaled_robot.h"
+#include "support/robots/shipped.h"
 #include "support/thoroughness.h"
 #include <cmath>
 #include <optional>

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random_robots.h"
-#include "support/shipped.h"
+#include "support/robots/random_robots.h"
+#include "support/robots/shipped.h"
 #include <cmath>
 
 namespace parallel_aspects {

@@ -10,9 +10,9 @@
 
 #include "support/clearance_at.h"
 #include "support/configuration_at.h"
-#include "support/constrained_robots.h"
-#include "support/robots.h"
-#include "support/shipped.h"
+#include "support/robots/constrained_robots.h"
+#include "support/robots/robots.h"
+#include "support/robots/shipped.h"
 #include "support/sign_at.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"

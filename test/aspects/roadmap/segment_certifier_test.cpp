@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "support/pose_pairs.h"
-#include "support/robots.h"
-#include "support/shipped.h"
+#include "support/robots/robots.h"
+#include "support/robots/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
 #include <cmath>

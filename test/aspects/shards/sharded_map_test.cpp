@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>

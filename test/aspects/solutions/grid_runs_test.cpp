@@ -9,8 +9,8 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "support/random_robots.h"
-#include "support/robots.h"
+#include "support/robots/random_robots.h"
+#include "support/robots/robots.h"
 #include "support/slices.h"
 #include <array>
 #include <cmath>

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "support/pose_pairs.h"
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include "support/sign_at.h"
 #include <algorithm>
 #include <array>

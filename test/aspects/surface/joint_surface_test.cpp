@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include "support/slices.h"
 #include <algorithm>
 #include <cmath>

@@ -9,9 +9,9 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "support/random_robots.h"
-#include "support/robots.h"
-#include "support/shipped.h"
+#include "support/robots/random_robots.h"
+#include "support/robots/robots.h"
+#include "support/robots/shipped.h"
 #include "support/slices.h"
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"
 #include <algorithm>

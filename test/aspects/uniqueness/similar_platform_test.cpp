@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include "support/slices.h"
 #include <algorithm>
 #include <array>

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/robots.h"
-#include "support/shipped.h"
+#include "support/robots/robots.h"
+#include "support/robots/shipped.h"
 #include "support/slices.h"
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include "support/round_trip.h"
 #include "support/thoroughness.h"
 #include <ostream>

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "support/configuration_at.h"
-#include "support/constrained_robots.h"
+#include "support/robots/constrained_robots.h"
 #include "support/pose_pairs.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
 #include <array>

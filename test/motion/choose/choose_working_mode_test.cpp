@@ -5,7 +5,7 @@
 
 #include "support/path_samples.h"
 #include "support/pose_pairs.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
 #include <atomic>

@@ -7,7 +7,7 @@
 
 #include "support/counted_allocations.h"
 #include "support/guard_campaign.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <string>
 #include <vector>
 

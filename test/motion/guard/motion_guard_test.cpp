@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "support/guard_campaign.h"
-#include "support/robots.h"
-#include "support/shipped.h"
+#include "support/robots/robots.h"
+#include "support/robots/shipped.h"
 #include "support/thoroughness.h"
 #include <cmath>
 #include <limits>

@@ -11,7 +11,7 @@
 
 #include "support/campaign_figures.h"
 #include "support/random_path_end.h"
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"
 #include <optional>

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
 #include <atomic>

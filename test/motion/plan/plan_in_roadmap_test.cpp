@@ -13,7 +13,7 @@
 #include "support/campaign_figures.h"
 #include "support/index_at.h"
 #include "support/pose_pairs.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 
 #include "support/index_at.h"
 #include "support/random_path_end.h"
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include "support/sign_at.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"

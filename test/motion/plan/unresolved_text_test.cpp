@@ -8,7 +8,7 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <memory>
 #include <string>
 

@@ -10,8 +10,8 @@
 
 #include "support/campaign_figures.h"
 #include "support/index_at.h"
-#include "support/robots.h"
-#include "support/shipped.h"
+#include "support/robots/robots.h"
+#include "support/robots/shipped.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "parallel_aspects/motion/time_path.h"
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include "support/slices.h"
 #include <memory>
 #include <vector>

@@ -7,7 +7,7 @@
 
 #include <ros/time.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <memory>
 #include <sensor_msgs/JointState.h>
 #include <string>

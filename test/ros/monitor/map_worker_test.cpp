@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <ros/time.h>
 
-#include "support/robots.h"
-#include "support/shipped.h"
+#include "support/robots/robots.h"
+#include "support/robots/shipped.h"
 #include <chrono>
 #include <future>
 #include <mutex>

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <cmath>
 #include <iostream>
 #include <string>

@@ -10,7 +10,7 @@
 #include <ros/node_handle.h>
 #include <ros/param.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <array>
 #include <cstdio>
 #include <memory>

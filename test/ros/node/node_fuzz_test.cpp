@@ -23,7 +23,7 @@
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <atomic>
 #include <cmath>
 #include <deque>

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <algorithm>
 #include <map>
 #include <mutex>

@@ -16,7 +16,7 @@
 #include <ros/ros.h>
 
 #include "support/known_motion.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <XmlRpc.h>
 #include <array>
 #include <atomic>

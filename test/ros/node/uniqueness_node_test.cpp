@@ -18,7 +18,7 @@
 #include <ros/ros.h>
 #include <ros/serialization.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <actionlib/client/simple_action_client.h>
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include <limits>
 
 namespace parallel_aspects {

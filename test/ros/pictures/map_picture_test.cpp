@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <ros/serialization.h>
 
-#include "support/robots.h"
+#include "support/robots/robots.h"
 #include <cmath>
 #include <map>
 #include <set>

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include "support/urdf_frames.h"
 #include <algorithm>
 #include <map>

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <algorithm>
 #include <random>
 #include <string>

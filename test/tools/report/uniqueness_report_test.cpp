@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <cstddef>
 #include <string>
 

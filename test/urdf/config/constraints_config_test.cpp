@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/clearance_at.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <random>
 #include <regex>
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/descriptions.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <string>
 #include <vector>
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/descriptions.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <algorithm>
 #include <cmath>
 #include <optional>

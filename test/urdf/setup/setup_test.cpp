@@ -6,7 +6,7 @@
 
 #include "support/loops.h"
 #include "support/many_joints.h"
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <algorithm>
 #include <optional>
 #include <regex>

@@ -4,7 +4,7 @@
 
 #include "urdf/setup/setup.h"
 
-#include "support/shipped.h"
+#include "support/robots/shipped.h"
 #include <chrono>
 #include <string>
 #include <vector>

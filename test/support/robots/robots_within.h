@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_WITHIN_H
-#define PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_WITHIN_H
+#ifndef PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_ROBOTS_WITHIN_H
+#define PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_ROBOTS_WITHIN_H
 
 #include "parallel_aspects/model/manipulator.h"
 
@@ -63,4 +63,4 @@ class RobotsWithin {
 
 }  // namespace parallel_aspects::test
 
-#endif  // PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_WITHIN_H
+#endif  // PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_ROBOTS_WITHIN_H

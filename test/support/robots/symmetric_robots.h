@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TEST_SUPPORT_SYMMETRIC_ROBOTS_H
-#define PARALLEL_ASPECTS_TEST_SUPPORT_SYMMETRIC_ROBOTS_H
+#ifndef PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_SYMMETRIC_ROBOTS_H
+#define PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_SYMMETRIC_ROBOTS_H
 
 #include "aspects/symmetry/rigid_symmetry.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <Eigen/LU>
 
-#include "support/random_robots.h"
+#include "support/robots/random_robots.h"
 #include <memory>
 #include <utility>
 #include <variant>
@@ -117,4 +117,4 @@ class SymmetricRobots {
 
 }  // namespace parallel_aspects::test
 
-#endif  // PARALLEL_ASPECTS_TEST_SUPPORT_SYMMETRIC_ROBOTS_H
+#endif  // PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_SYMMETRIC_ROBOTS_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TEST_SUPPORT_SCALED_ROBOT_H
-#define PARALLEL_ASPECTS_TEST_SUPPORT_SCALED_ROBOT_H
+#ifndef PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_SCALED_ROBOT_H
+#define PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_SCALED_ROBOT_H
 
 #include "parallel_aspects/model/manipulator.h"
 
@@ -66,4 +66,4 @@ inline std::shared_ptr<const Manipulator> scaled(const Manipulator& robot, doubl
 
 }  // namespace parallel_aspects::test
 
-#endif  // PARALLEL_ASPECTS_TEST_SUPPORT_SCALED_ROBOT_H
+#endif  // PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_SCALED_ROBOT_H

@@ -1,32 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_H
-#define PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_H
-
-#include "parallel_aspects/model/manipulator.h"
+#include "support/robots/robots.h"
 
 #include <Eigen/Geometry>
 
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <memory>
-#include <string>
 #include <utility>
-#include <vector>
+#include <variant>
 
 namespace parallel_aspects::test {
 
-using Points = std::vector<Eigen::Vector3d>;
-
-inline Leg named_leg(std::size_t index) {
+Leg named_leg(std::size_t index) {
   Leg leg;
   leg.name = "leg_" + std::to_string(index + 1);
   leg.actuated_joint = leg.name + "_joint";
   return leg;
 }
 
-inline std::shared_ptr<const Manipulator> manipulator(const std::string& name, TaskSpace space,
-                                                      std::vector<Leg> legs) {
+std::shared_ptr<const Manipulator> manipulator(const std::string& name, TaskSpace space,
+                                               std::vector<Leg> legs) {
   ManipulatorDescription description;
   description.name = name;
   description.task_space = space;
@@ -34,8 +26,8 @@ inline std::shared_ptr<const Manipulator> manipulator(const std::string& name, T
   return std::make_shared<const Manipulator>(description);
 }
 
-inline Leg planar_revolute_leg(std::size_t index, const Eigen::Vector2d& center, double crank, double rod,
-                               const Eigen::Vector2d& anchor = Eigen::Vector2d::Zero()) {
+Leg planar_revolute_leg(std::size_t index, const Eigen::Vector2d& center, double crank, double rod,
+                        const Eigen::Vector2d& anchor) {
   Leg leg = named_leg(index);
   leg.actuation = RevoluteActuation{
       {center.x(), center.y(), 0.0}, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX(), crank};
@@ -44,7 +36,7 @@ inline Leg planar_revolute_leg(std::size_t index, const Eigen::Vector2d& center,
   return leg;
 }
 
-inline std::vector<Leg> struts(const Points& base, const Points& anchors) {
+std::vector<Leg> struts(const Points& base, const Points& anchors) {
   std::vector<Leg> legs;
   for (std::size_t j = 0; j < base.size(); ++j) {
     legs.push_back(named_leg(j));
@@ -54,8 +46,7 @@ inline std::vector<Leg> struts(const Points& base, const Points& anchors) {
   return legs;
 }
 
-/// `radius` (cos angle, sin angle, 0) for each angle [deg].
-inline Points on_circle(double radius, const std::vector<double>& degrees) {
+Points on_circle(double radius, const std::vector<double>& degrees) {
   Points points;
   for (const double each : degrees) {
     const double angle = each * EIGEN_PI / 180.0;
@@ -64,14 +55,13 @@ inline Points on_circle(double radius, const std::vector<double>& degrees) {
   return points;
 }
 
-/// The paper's five-bar RR-RRR: A=(0,0), B=(9,0); leg 1: crank 8, rod 5; leg 2: crank 5, rod 8.
-inline std::shared_ptr<const Manipulator> five_bar() {
+std::shared_ptr<const Manipulator> five_bar() {
   return manipulator(
       "five_bar", TaskSpace::T2,
       {planar_revolute_leg(0, {0.0, 0.0}, 8.0, 5.0), planar_revolute_leg(1, {9.0, 0.0}, 5.0, 8.0)});
 }
 
-inline std::shared_ptr<const Manipulator> limited_five_bar() {
+std::shared_ptr<const Manipulator> limited_five_bar() {
   ManipulatorDescription description{"limited_five_bar", TaskSpace::T2, five_bar()->legs(), "base", {}};
   description.task_frame.setIdentity();
   description.legs[0].limits = {-1.0, 1.5};
@@ -79,17 +69,14 @@ inline std::shared_ptr<const Manipulator> limited_five_bar() {
   return std::make_shared<const Manipulator>(description);
 }
 
-/// Bipod 2-RPR with base points (0,0) and (5,0) and struts limited to [2,6] and [4,9].
-inline std::shared_ptr<const Manipulator> bipod() {
+std::shared_ptr<const Manipulator> bipod() {
   std::vector<Leg> legs = struts({{0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}}, Points(2, Eigen::Vector3d::Zero()));
   legs[0].limits = JointLimits{2.0, 6.0};
   legs[1].limits = JointLimits{4.0, 9.0};
   return manipulator("bipod", TaskSpace::T2, std::move(legs));
 }
 
-/// 3-RPR of Innocenti and Parenti-Castelli: A1=(0,0), A2=(15.91,0), A3=(0,10); B1B2=17.04, B1B3=20.84, angle
-/// at B1 0.88260311 rad; all lengths in [10, 32]; the pose is that of B1, phi the angle of B1B2.
-inline std::shared_ptr<const Manipulator> three_rpr() {
+std::shared_ptr<const Manipulator> three_rpr() {
   const double angle = 0.88260311;
   std::vector<Leg> legs =
       struts({{0.0, 0.0, 0.0}, {15.91, 0.0, 0.0}, {0.0, 10.0, 0.0}},
@@ -98,16 +85,14 @@ inline std::shared_ptr<const Manipulator> three_rpr() {
   return manipulator("three_rpr", TaskSpace::SE2, std::move(legs));
 }
 
-/// 3-RRR of Caro, Chablat, Goldsztejn, Ishii and Jermann, Artificial Intelligence 211, 2014.
-inline std::shared_ptr<const Manipulator> three_rrr() {
+std::shared_ptr<const Manipulator> three_rrr() {
   return manipulator("three_rrr", TaskSpace::SE2,
                      {planar_revolute_leg(0, {-10.0, -10.0}, 10.0, 10.0, {0.0, 0.0}),
                       planar_revolute_leg(1, {10.0, -10.0}, 10.0, 10.0, {10.0, 0.0}),
                       planar_revolute_leg(2, {0.0, 10.0}, 10.0, 10.0, {10.0, 10.0})});
 }
 
-/// 3-RRR with the elbows actuated, on the same points.
-inline std::shared_ptr<const Manipulator> three_rrr_actuated_elbow() {
+std::shared_ptr<const Manipulator> three_rrr_actuated_elbow() {
   const Points base{{-10.0, -10.0, 0.0}, {10.0, -10.0, 0.0}, {0.0, 10.0, 0.0}};
   std::vector<Leg> legs = struts(base, {{0.0, 0.0, 0.0}, {10.0, 0.0, 0.0}, {10.0, 10.0, 0.0}});
   for (std::size_t j = 0; j < 3; ++j)
@@ -115,8 +100,7 @@ inline std::shared_ptr<const Manipulator> three_rrr_actuated_elbow() {
   return manipulator("three_rrr_actuated_elbow", TaskSpace::SE2, std::move(legs));
 }
 
-/// 3-PRR with rails along the sides of an equilateral triangle.
-inline std::shared_ptr<const Manipulator> three_prr() {
+std::shared_ptr<const Manipulator> three_prr() {
   const Points base = on_circle(1.0, {-90.0, 30.0, 150.0}), directions = on_circle(1.0, {0.0, 120.0, 240.0});
   std::vector<Leg> legs = struts(base, on_circle(0.3, {-90.0, 30.0, 150.0}));
   for (std::size_t j = 0; j < 3; ++j) {
@@ -126,14 +110,11 @@ inline std::shared_ptr<const Manipulator> three_prr() {
   return manipulator("three_prr", TaskSpace::SE2, std::move(legs));
 }
 
-/// Crank about a horizontal tangent at `center`; q = 0 is radially outward, positive q turns down.
-inline RevoluteActuation radial_crank(const Eigen::Vector3d& center, double degrees, double length) {
+RevoluteActuation radial_crank(const Eigen::Vector3d& center, double degrees, double length) {
   return {center, on_circle(1.0, {degrees + 90.0})[0], on_circle(1.0, {degrees})[0], length};
 }
 
-/// Delta of Clavel with the lengths of the ABB IRB 360-800: base 0.200, crank 0.235, rod 0.800, platform
-/// 0.045 m.
-inline std::shared_ptr<const Manipulator> delta() {
+std::shared_ptr<const Manipulator> delta() {
   const std::vector<double> degrees{0.0, 120.0, 240.0};
   const Points base = on_circle(0.200, degrees);
   std::vector<Leg> legs = struts(base, on_circle(0.045, degrees));
@@ -144,8 +125,7 @@ inline std::shared_ptr<const Manipulator> delta() {
   return manipulator("delta", TaskSpace::T3, std::move(legs));
 }
 
-/// Linear Delta with vertical rails.
-inline std::shared_ptr<const Manipulator> linear_delta() {
+std::shared_ptr<const Manipulator> linear_delta() {
   const std::vector<double> degrees{90.0, 210.0, 330.0};
   const Points base = on_circle(0.180, degrees);
   std::vector<Leg> legs = struts(base, on_circle(0.030, degrees));
@@ -156,11 +136,8 @@ inline std::shared_ptr<const Manipulator> linear_delta() {
   return manipulator("linear_delta", TaskSpace::T3, std::move(legs));
 }
 
-/// Leg of a spherical manipulator on the unit sphere: link angles alpha1 (base axis to elbow axis) and alpha2
-/// (elbow axis to platform axis) [rad]. `axis` and `platform_axis` are unit vectors.
-inline Leg spherical_leg(std::size_t index, const Eigen::Vector3d& axis,
-                         const Eigen::Vector3d& zero_direction, const Eigen::Vector3d& platform_axis,
-                         double alpha1, double alpha2) {
+Leg spherical_leg(std::size_t index, const Eigen::Vector3d& axis, const Eigen::Vector3d& zero_direction,
+                  const Eigen::Vector3d& platform_axis, double alpha1, double alpha2) {
   Leg leg = named_leg(index);
   leg.actuation = RevoluteActuation{std::cos(alpha1) * axis, axis, zero_direction, std::sin(alpha1)};
   leg.rod_length = 2.0 * std::sin(0.5 * alpha2);
@@ -168,9 +145,7 @@ inline Leg spherical_leg(std::size_t index, const Eigen::Vector3d& axis,
   return leg;
 }
 
-/// Agile Eye of Gosselin: spherical 3-RRR with orthogonal axes and all link angles 90 deg, as in Bonev,
-/// Chablat and Wenger, ICRA 2006.
-inline std::shared_ptr<const Manipulator> agile_eye() {
+std::shared_ptr<const Manipulator> agile_eye() {
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
                         z = Eigen::Vector3d::UnitZ();
   const double right_angle = 0.5 * EIGEN_PI;
@@ -181,8 +156,7 @@ inline std::shared_ptr<const Manipulator> agile_eye() {
   return manipulator("agile_eye", TaskSpace::SO3, std::move(legs));
 }
 
-/// Spherical 3-RRR without symmetry.
-inline std::shared_ptr<const Manipulator> spherical_three_rrr() {
+std::shared_ptr<const Manipulator> spherical_three_rrr() {
   const Points axes{{0.8, 0.1, 0.6}, {-0.5, 0.7, 0.5}, {-0.3, -0.8, 0.4}};
   const Points platform{{0.7, 0.2, -0.5}, {-0.4, 0.8, -0.3}, {-0.2, -0.7, -0.6}};
   const std::array<double, 3> alpha1{1.1, 1.3, 0.9}, alpha2{1.4, 1.2, 1.5};
@@ -195,9 +169,7 @@ inline std::shared_ptr<const Manipulator> spherical_three_rrr() {
   return manipulator("spherical_three_rrr", TaskSpace::SO3, std::move(legs));
 }
 
-/// Gough-Stewart platform with 40 real assembly modes (Dietmaier 1998); L1 = 1 and lengths as in
-/// `dietmaier_lengths`.
-inline std::shared_ptr<const Manipulator> dietmaier() {
+std::shared_ptr<const Manipulator> dietmaier() {
   return manipulator("dietmaier", TaskSpace::SE3,
                      struts({{0.0, 0.0, 0.0},
                              {1.107915, 0.0, 0.0},
@@ -213,21 +185,19 @@ inline std::shared_ptr<const Manipulator> dietmaier() {
                              {-0.137087, -0.235121, 0.353913}}));
 }
 
-inline JointVector dietmaier_lengths() {
+JointVector dietmaier_lengths() {
   JointVector q(6);
   q << 1.0, 0.645275, 1.086284, 1.503439, 1.281933, 0.771071;
   return q;
 }
 
-/// Stewart platform 6-6, semi-regular hexagons in both planes.
-inline std::shared_ptr<const Manipulator> stewart() {
+std::shared_ptr<const Manipulator> stewart() {
   return manipulator("stewart", TaskSpace::SE3,
                      struts(on_circle(0.50, {-10.0, 10.0, 110.0, 130.0, 230.0, 250.0}),
                             on_circle(0.30, {-50.0, 50.0, 70.0, 170.0, 190.0, 290.0})));
 }
 
-/// Stewart platform 6-6 with planar but otherwise general base and platform.
-inline std::shared_ptr<const Manipulator> planar_stewart() {
+std::shared_ptr<const Manipulator> planar_stewart() {
   return manipulator("planar_stewart", TaskSpace::SE3,
                      struts({{0.50, 0.02, 0.0},
                              {0.40, 0.31, 0.0},
@@ -243,16 +213,13 @@ inline std::shared_ptr<const Manipulator> planar_stewart() {
                              {0.06, -0.33, 0.0}}));
 }
 
-/// Octahedral Stewart platform 3-3: pairs of legs share their joints on the base, and other pairs on the
-/// platform.
-inline std::shared_ptr<const Manipulator> octahedral_stewart() {
+std::shared_ptr<const Manipulator> octahedral_stewart() {
   return manipulator("octahedral_stewart", TaskSpace::SE3,
                      struts(on_circle(0.50, {0.0, 0.0, 120.0, 120.0, 240.0, 240.0}),
                             on_circle(0.30, {-60.0, 60.0, 60.0, 180.0, 180.0, 300.0})));
 }
 
-/// Hexa (Pierrot): six cranks in three parallel pairs.
-inline std::shared_ptr<const Manipulator> hexa() {
+std::shared_ptr<const Manipulator> hexa() {
   const std::vector<double> sides{0.0, 0.0, 120.0, 120.0, 240.0, 240.0};
   const Points base = on_circle(0.26, {-20.0, 20.0, 100.0, 140.0, 220.0, 260.0});
   std::vector<Leg> legs = struts(base, on_circle(0.10, {-40.0, 40.0, 80.0, 160.0, 200.0, 280.0}));
@@ -263,8 +230,7 @@ inline std::shared_ptr<const Manipulator> hexa() {
   return manipulator("hexa", TaskSpace::SE3, std::move(legs));
 }
 
-/// 6-PUS with six vertical rails.
-inline std::shared_ptr<const Manipulator> six_pus() {
+std::shared_ptr<const Manipulator> six_pus() {
   const Points base = on_circle(0.50, {-10.0, 10.0, 110.0, 130.0, 230.0, 250.0});
   std::vector<Leg> legs = struts(base, on_circle(0.15, {-40.0, 40.0, 80.0, 160.0, 200.0, 280.0}));
   for (std::size_t j = 0; j < 6; ++j) {
@@ -275,5 +241,3 @@ inline std::shared_ptr<const Manipulator> six_pus() {
 }
 
 }  // namespace parallel_aspects::test
-
-#endif  // PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TEST_SUPPORT_CONSTRAINED_ROBOTS_H
-#define PARALLEL_ASPECTS_TEST_SUPPORT_CONSTRAINED_ROBOTS_H
+#ifndef PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_CONSTRAINED_ROBOTS_H
+#define PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_CONSTRAINED_ROBOTS_H
 
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
@@ -50,4 +50,4 @@ inline Constraints all_kinds(const Robot& robot, double thickness) {
 
 }  // namespace parallel_aspects::test
 
-#endif  // PARALLEL_ASPECTS_TEST_SUPPORT_CONSTRAINED_ROBOTS_H
+#endif  // PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_CONSTRAINED_ROBOTS_H
