@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/spherical_links.h"
 
+#include "model/number_text.h"
 #include "model/overloaded.h"
 
 #include <algorithm>
@@ -41,5 +42,11 @@ bool moves_on_unit_sphere(const Manipulator& manipulator) noexcept {
 }
 
 double angle_of_chord(double chord) noexcept { return 2.0 * std::asin(std::clamp(0.5 * chord, 0.0, 1.0)); }
+
+std::string distance_text(const Manipulator& manipulator, double length) {
+  if (!moves_on_unit_sphere(manipulator) || !std::isfinite(length)) return number_text(length) + " m";
+  const double angle = angle_of_chord(length);
+  return number_text(angle * 180.0 / EIGEN_PI) + " deg (" + number_text(angle) + " rad)";
+}
 
 }  // namespace parallel_aspects

@@ -5,6 +5,7 @@
 #include "parallel_aspects/model/manipulator.h"
 
 #include <optional>
+#include <string>
 
 namespace parallel_aspects {
 
@@ -23,6 +24,10 @@ bool moves_on_unit_sphere(const Manipulator& manipulator) noexcept;
 
 /// The angle at the center [rad] of a chord of the sphere of radius 1 m.
 double angle_of_chord(double chord) noexcept;
+
+/// A distance between configurations with its unit: "0.1 m" or, on the sphere, where an angle says more than
+/// a length, "5.73 deg (0.1 rad)".
+std::string distance_text(const Manipulator& manipulator, double length);
 
 }  // namespace parallel_aspects
 

@@ -12,13 +12,6 @@
 namespace parallel_aspects {
 namespace {
 
-// On a sphere of radius 1 m an angle says more than a length.
-std::string distance_text(const Manipulator& manipulator, double length) {
-  if (!moves_on_unit_sphere(manipulator)) return number_text(length) + " m";
-  const double angle = angle_of_chord(length);
-  return number_text(angle * 180.0 / EIGEN_PI) + " deg (" + number_text(angle) + " rad)";
-}
-
 // What is to be said where the last sample was merged of several messages; else nothing.
 std::string merged_joints(const JointVector& uncertainty) {
   if (uncertainty.size() == 0 || !(uncertainty.maxCoeff() > 0.0)) return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/diagnostics.h"
 
+#include "model/spherical_links.h"
 #include "ros/messages/hazard_messages.h"
 
 #include <algorithm>
@@ -14,6 +15,21 @@ namespace {
 using Level = diagnostic_msgs::DiagnosticStatus;
 
 std::string region_text(std::uint32_t number) { return number == 0 ? "unknown" : std::to_string(number); }
+
+// As angles where all anchors move on the unit sphere.
+void add_distances(const Manipulator& manipulator, const MonitorFindings& findings, bool known,
+                   diagnostic_updater::DiagnosticStatusWrapper& status) {
+  const bool as_angle = moves_on_unit_sphere(manipulator);
+  const std::string unit = as_angle ? " [rad]" : " [m]";
+  const auto shown = [as_angle](double length) {
+    return std::to_string(as_angle && std::isfinite(length) ? angle_of_chord(length) : length);
+  };
+  for (std::size_t i = 0; i < hazard_count; ++i)
+    status.add("proved distance to the nearest " + std::string(name(static_cast<Hazard>(i))) + unit,
+               known ? shown(findings.distances[i].lower) : "unknown");
+  status.add("stand-off from the nearest parallel singularity, estimated" + unit,
+             known && std::isfinite(findings.stand_off) ? shown(findings.stand_off) : "unknown");
+}
 
 void merge_threshold(const ThresholdState& state, diagnostic_updater::DiagnosticStatusWrapper& status) {
   switch (state.level) {
@@ -96,11 +112,7 @@ void Diagnostics::report_tracking(Wrapper& status) const {
     const std::lock_guard<std::mutex> lock(mutex_);
     status.add("thresholds", offer_);
   }
-  for (std::size_t i = 0; i < hazard_count; ++i)
-    status.add(std::string("proved distance to the nearest ") + name(static_cast<Hazard>(i)) + " [m]",
-               well ? std::to_string(findings.distances[i].lower) : "unknown");
-  status.add("stand-off from the nearest parallel singularity, estimated [m]",
-             well && std::isfinite(findings.stand_off) ? std::to_string(findings.stand_off) : "unknown");
+  add_distances(manipulator_, findings, well, status);
   status.add("residual of passive joints [tolerances]",
              well && std::isfinite(findings.residual) ? std::to_string(findings.residual) : "unknown");
   status.add("status code", static_cast<int>(current.status.code));

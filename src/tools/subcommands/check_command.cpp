@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/number_text.h"
+#include "model/spherical_links.h"
 #include "motion/check/check_text.h"
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 #include "tools/arguments.h"
@@ -255,14 +256,15 @@ CheckedTrajectory check(const std::shared_ptr<const Manipulator>& manipulator,
   return result;
 }
 
-void add_distances(const TrajectoryCheck& check, const std::vector<SampleDistances>& distances,
-                   Report& report) {
+void add_distances(const Manipulator& manipulator, const TrajectoryCheck& check,
+                   const std::vector<SampleDistances>& distances, Report& report) {
   if (distances.empty()) return;
   const std::array<double, 3> least = least_distances(check, distances);
   report.text += "\nProved at every time up to " + number_text(check.free_until, 9) + " s: at least";
   for (std::size_t k = 0; k < least.size(); ++k) {
     report.json["least_distance"][distance_names[k]] = json_number(least[k]);
-    report.text += std::string(k == 0 ? " " : ", ") + distance_names[k] + " " + shown(least[k]) + " m";
+    report.text +=
+        std::string(k == 0 ? " " : ", ") + distance_names[k] + " " + distance_text(manipulator, least[k]);
   }
   report.text += ".\n";
 }
@@ -285,7 +287,7 @@ Report run(const CheckArguments& arguments, const Surroundings& surroundings) {
   const TrajectoryCheck& result = checked.check;
   Report report = report_check(*manipulator, checked);
   const std::vector<SampleDistances> distances = distances_on(manipulator, result, points);
-  add_distances(result, distances, report);
+  add_distances(*manipulator, result, distances, report);
   if (!arguments.csv_file.empty())
     write_output_file("Table", arguments.csv_file, check_csv(*manipulator, result, distances));
   if (!arguments.picture_file.empty())
