@@ -5,8 +5,8 @@
 #include <benchmark/benchmark.h>
 
 #include "support/robots/robots.h"
-#include "support/round_trip.h"
 #include "support/robots/shipped.h"
+#include "support/round_trip.h"
 #include <algorithm>
 #include <ctime>
 #include <vector>

@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "support/constrained_boxes.h"
-#include "support/robots/constrained_robots.h"
 #include "support/index_at.h"
+#include "support/robots/constrained_robots.h"
 #include "support/robots/robots.h"
 #include "support/robots/shipped.h"
 #include "support/slices.h"

@@ -10,8 +10,8 @@
 
 #include "support/robots/robots.h"
 #include "support/robots/shipped.h"
-#include "support/sign_at.h"
 #include "support/robots/symmetric_robots.h"
+#include "support/sign_at.h"
 #include "support/thoroughness.h"
 #include <algorithm>
 #include <functional>

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "support/configuration_at.h"
-#include "support/robots/constrained_robots.h"
 #include "support/pose_pairs.h"
+#include "support/robots/constrained_robots.h"
 #include "support/robots/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
