@@ -4,6 +4,10 @@
 #include "ros/messages/hazard_messages.h"
 #include "ros/monitor/robot_monitor.h"
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
 namespace parallel_aspects {
 
 void RobotMonitor::set_domains(const KnownDomains& known) {
@@ -17,11 +21,24 @@ UniquenessState RobotMonitor::uniqueness() const {
   return tracking_start_ ? uniqueness_ : unknown_domains(uniqueness_.known);
 }
 
-// Where tracking began, or the assembly mode was `stated` since.
+// Where tracking began, or the assembly mode was `stated` since. It begins anew after a loss, but where the
+// assembly mode was found to be the same.
 void RobotMonitor::note_start(bool stated) {
   const TrackedState& tracked = tracker_.state();
-  if (!tracked.followed()) return tracking_start_.reset();
+  if (!tracked.followed()) {
+    if (tracking_start_) lost_start_ = std::exchange(tracking_start_, std::nullopt);
+    return;
+  }
   if (tracking_start_ && !stated) return;
+  const auto lost = std::exchange(lost_start_, std::nullopt);
+  const Transitions& news = tracker_.transitions();
+  const bool found = std::any_of(news.begin(), news.end(), [](const Transition& transition) {
+    return transition.kind == TransitionKind::found;
+  });
+  if (lost && found && !stated) {
+    tracking_start_ = lost;
+    return;
+  }
   tracking_start_ = TrackingStart{++tracking_starts_, tracked.pose, tracked.mode, tracked.time, epoch_};
   uniqueness_ = unknown_domains(uniqueness_.known);
 }

@@ -89,6 +89,7 @@ void RobotMonitor::forget() {
   publishers_.forget_claims();
   tracker_.stop();
   tracking_start_.reset();
+  lost_start_.reset();
   hazards_.forget();
   if (guard_) guard_->forget();
   merger_.forget();

@@ -244,7 +244,7 @@ void RobotMonitor::look_for_assembly_mode(const Eigen::VectorXd& readings) {
   hazards_.forget_measured();
   if (tracker_.state().followed()) return;
   if (tracker_.wants_candidates()) tracker_.find_candidates();
-  if (!tracker_.state().followed()) passive_.apply(readings, tracker_);
+  residual_ = passive_.apply(readings, tracker_);  // a pose that was found is compared with them at once
   note_start(false);
   keep_transitions();
 }

@@ -180,6 +180,7 @@ class RobotMonitor {
   PublisherWatch publishers_;
 
   std::optional<TrackingStart> tracking_start_;  // while the robot is followed
+  std::optional<TrackingStart> lost_start_;      // the last one, while it is not
   std::uint64_t tracking_starts_ = 0;
   UniquenessState uniqueness_;  // as `work` last found it
   HazardWatch hazards_;
