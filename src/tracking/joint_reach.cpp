@@ -23,9 +23,10 @@ double possible_way(const Leg& leg, const SampleOptions& options, double seconds
 }
 
 // Whether that bounds where it was on its way from one value to the other: it can go as far, and cannot have
-// turned the other way round where whole turns do not show.
-bool bounds_way(const Leg& leg, const SampleOptions& options, double change, double possible) {
-  const bool turns_show = !options.unwrap || !leg.actuated_by_angle() || possible < pi;
+// turned the other way round where whole turns do not show. Both values are within `off` of the true ones.
+// Rounds upward.
+bool bounds_way(const Leg& leg, const SampleOptions& options, double change, double possible, double off) {
+  const bool turns_show = !options.unwrap || !leg.actuated_by_angle() || possible + 2.0 * off < pi;
   return std::abs(change) <= possible && std::isfinite(possible) && turns_show;
 }
 
@@ -43,6 +44,7 @@ class Sheet {
     const TaskVector still = TaskVector::Zero(at.q.size());
     if (certifier_.ball(at, still, half, 0.0, 0.0).certified) return true;
     const Eigen::Index cut = certifier_.widest(at, half);
+    if (!(half[cut] > 0.0)) return false;
     JointVector below = upper, above = lower;
     below[cut] = above[cut] = at.q[cut];
     return covers_part(at, lower, below, cut, halvings) && covers_part(at, above, upper, cut, halvings);
@@ -88,7 +90,7 @@ void JointReach::add(const Manipulator& manipulator, const SampleOptions& option
       lower = std::max(lower, -(step.bend[i] - std::min(from, to)));
       upper = std::min(upper, std::max(from, to) + step.bend[i]);
     } else {
-      known_ = known_ && bounds_way(manipulator.leg(j), options, to - from, possible);
+      known_ = known_ && bounds_way(manipulator.leg(j), options, to - from, possible, off[i]);
     }
     lower_[i] = std::min({lower_[i], lower, from, to});
     upper_[i] = std::max({upper_[i], upper, from, to});
