@@ -245,8 +245,7 @@ class LegBuilder {
     Vector3d c = point(chain.c), p = point(chain.p);
     if (chain.on_unit_sphere)
       for (Vector3d* each : {&leg.anchor, &c, &p}) each->normalize();
-    const auto actuation =
-        chain.actuated_first ? moving_joint(chain.actuation, c) : rod_joint(chain.actuation, c, p);
+    const auto actuation = chain.actuated_first ? moving_joint(chain, c) : rod_joint(chain.actuation, c, p);
     if (!actuation) return std::nullopt;
     leg.actuation = *actuation;
     if (chain.actuated_first) leg.rod_length = (p - c).norm();
@@ -282,7 +281,8 @@ class LegBuilder {
     return direction.normalized();
   }
 
-  std::optional<Actuation> moving_joint(const Pivot& actuation, const Vector3d& c) {
+  std::optional<Actuation> moving_joint(const SplitChain& chain, const Vector3d& c) {
+    const Pivot& actuation = chain.actuation;
     const auto direction = axis(actuation);
     if (!direction) return std::nullopt;
     if (actuation.kind == PivotKind::prismatic)
@@ -290,8 +290,8 @@ class LegBuilder {
     const Vector3d on_axis = point(actuation.point);
     if (motion_.space == TaskSpace::SO3 && on_axis.cross(*direction).norm() > tolerance())
       return fail("is actuated about an axis that misses the centre of the spherical motion");
-    // What it misses the center by was taken for rounding above; the model has none of it.
-    const Vector3d through = motion_.space == TaskSpace::SO3 ? Vector3d(Vector3d::Zero()) : on_axis;
+    // What it misses the center by was taken for rounding above; on the unit sphere the model has none of it.
+    const Vector3d through = chain.on_unit_sphere ? Vector3d(Vector3d::Zero()) : on_axis;
     const Vector3d center = through + *direction * direction->dot(c - through);
     const Vector3d arm = c - center;
     if (arm.norm() < tolerance()) return fail("has a crank of length zero");
