@@ -5,6 +5,7 @@
 
 #include <ros/console.h>
 
+#include <exception>
 #include <utility>
 
 namespace parallel_aspects {
@@ -44,15 +45,26 @@ AspectServer::~AspectServer() {
 }
 
 // Names of topics and services are free again only once the robot before is gone. Where the new one cannot be
-// served after all, that one is served anew.
+// served after all, that one is served anew, without a start: where it is by now somebody has to say.
 void AspectServer::replace_robot(NodeSetup setup) {
-  const NodeSetup before = robot_->setup();
+  if (robot_) last_served_ = robot_->setup();
   robot_.reset();
   try {
     robot_ = std::make_unique<RobotServer>(nh_, private_nh_, std::move(setup));
   } catch (const std::exception& failure) {
-    robot_ = std::make_unique<RobotServer>(nh_, private_nh_, before);
-    throw InvalidDescription({std::string("The robot cannot be served: ") + failure.what()});
+    const std::string reason = std::string("The robot cannot be served: ") + failure.what();
+    serve_last_again(reason);
+    throw InvalidDescription({reason, "The robot before is served anew; set its assembly mode."});
+  }
+}
+
+void AspectServer::serve_last_again(const std::string& reason) {
+  NodeSetup again = *last_served_;
+  again.options.start = {};
+  try {
+    robot_ = std::make_unique<RobotServer>(nh_, private_nh_, std::move(again));
+  } catch (const std::exception& failure) {
+    throw InvalidDescription({reason, std::string("Nor can the one before: ") + failure.what()});
   }
 }
 

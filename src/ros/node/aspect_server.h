@@ -15,6 +15,8 @@
 #include <ros/wall_timer.h>
 
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace parallel_aspects {
 
@@ -33,12 +35,14 @@ class AspectServer {
 
   Reload::Response reload();
   void replace_robot(NodeSetup setup);
+  void serve_last_again(const std::string& reason);
 
   // Of `reload`, which takes the robot's queues down, and of calls of the master, which may block.
   GuardedQueue queue_;
   ros::NodeHandle nh_, private_nh_;
-  const bool read_only_;  // as the node was started, whatever the parameter is now
-  std::unique_ptr<RobotServer> robot_;
+  const bool read_only_;                // as the node was started, whatever the parameter is now
+  std::unique_ptr<RobotServer> robot_;  // null once neither a new robot nor the one before could be served
+  std::optional<NodeSetup> last_served_;
   ros::ServiceServer reload_;
   MasterWatch master_;
   ros::WallTimer master_timer_;
