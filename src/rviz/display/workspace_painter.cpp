@@ -17,8 +17,8 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr double below = 0.01;      // of the robot's size: planes lie behind its links
-constexpr double in_front = 0.002;  // of it: lines before the faces that they bound
+constexpr double plane_below = 0.01;  // of the robot's size: planes lie behind its links
+constexpr double in_front = 0.002;    // of it: lines before the faces that they bound
 constexpr Rgb edge_color = 0xDDDDDD;
 constexpr std::size_t most_places = 500;  // that are looked at for a label
 
@@ -178,7 +178,7 @@ void WorkspacePainter::draw_plane(const std::vector<int>& ids, int cells) {
 }
 
 float WorkspacePainter::height(double layer) const {
-  return static_cast<float>((layer * 0.1 - 1.0) * below * store_.robot().size());
+  return static_cast<float>((layer * 0.1 - 1.0) * plane_below * store_.robot().size());
 }
 
 void WorkspacePainter::add_sliver(const BoundarySliver& sliver, ColoredMesh& mesh) const {

@@ -13,8 +13,6 @@ enum Column { name_column, sign_column, size_column, clearance_column, index_col
 
 constexpr int swatch_size = 12;  // [pixels]
 
-QString shown(const std::string& text) { return QString::fromStdString(text); }
-
 QIcon swatch_of(Rgb color) {
   QPixmap pixmap(swatch_size, swatch_size);
   pixmap.fill(QColor::fromRgb(color));
@@ -57,7 +55,8 @@ AspectTree::AspectTree(OnShown on_shown, QWidget* parent)
 
 void AspectTree::show_rows(const std::vector<ModeRows>& modes, const std::string& unit) {
   filling_ = true;
-  headerItem()->setText(size_column, unit.empty() ? QString("size") : shown("size [" + unit + "]"));
+  headerItem()->setText(size_column,
+                        unit.empty() ? QString("size") : QString::fromStdString("size [" + unit + "]"));
   if (ids_ != ids_of(modes)) make_items(modes);
   QTreeWidgetItem* present = nullptr;
   for (std::size_t i = 0; i < modes.size(); ++i) {
@@ -84,7 +83,7 @@ void AspectTree::make_items(const std::vector<ModeRows>& modes) {
   ids_ = ids_of(modes);
   clear();
   for (const ModeRows& mode : modes) {
-    auto* const parent = new QTreeWidgetItem(this, {shown(mode.mode)});
+    auto* const parent = new QTreeWidgetItem(this, {QString::fromStdString(mode.mode)});
     parent->setFlags(parent->flags() | Qt::ItemIsAutoTristate | Qt::ItemIsUserCheckable);
     for (const AspectRow& row : mode.aspects) {
       auto* const item = new QTreeWidgetItem(parent);
@@ -100,12 +99,12 @@ void AspectTree::make_items(const std::vector<ModeRows>& modes) {
 }
 
 void AspectTree::fill(QTreeWidgetItem& item, const AspectRow& row) {
-  item.setText(name_column, shown(row.name));
-  item.setText(sign_column, shown(row.sign));
-  item.setText(size_column, shown(row.size));
-  item.setText(clearance_column, shown(row.clearance));
-  item.setText(index_column, shown(row.index));
-  item.setToolTip(name_column, shown(row.tip));
+  item.setText(name_column, QString::fromStdString(row.name));
+  item.setText(sign_column, QString::fromStdString(row.sign));
+  item.setText(size_column, QString::fromStdString(row.size));
+  item.setText(clearance_column, QString::fromStdString(row.clearance));
+  item.setText(index_column, QString::fromStdString(row.index));
+  item.setToolTip(name_column, QString::fromStdString(row.tip));
   mark(item, row.present);
 }
 

@@ -33,8 +33,6 @@ namespace {
 constexpr int between_refreshes = 100;                  // [ms]
 constexpr int content_width = 356, least_height = 150;  // for all columns of the table, and the banner [px]
 
-QString shown(const std::string& text) { return QString::fromStdString(text); }
-
 // As other nodes would find it; empty where it is no name.
 std::string full_name(const QString& typed) {
   std::string fault;
@@ -174,7 +172,7 @@ void AspectsPanel::set_node(const QString& typed) {
   link_.reset();
   if (!name.empty()) link_ = std::make_unique<PanelLink>(name);
   plan_->set_link(link_.get());
-  nodes_->setEditText(shown(name));
+  nodes_->setEditText(QString::fromStdString(name));
   aspects_.clear();
   shown_was_chosen_ = false;
   clicks_ = 0;
@@ -184,7 +182,7 @@ void AspectsPanel::set_node(const QString& typed) {
 
 void AspectsPanel::update_nodes() {
   QStringList names;
-  for (const std::string& name : finder_.nodes()) names << shown(name);
+  for (const std::string& name : finder_.nodes()) names << QString::fromStdString(name);
   QStringList listed;
   for (int i = 0; i < nodes_->count(); ++i) listed << nodes_->itemText(i);
   if (names != listed && !nodes_->view()->isVisible()) {
@@ -206,7 +204,7 @@ void AspectsPanel::refresh() {
     clicks_ = view.clicks;
     tree_->select(view.selected);
   }
-  count_->setText(shown(count_text(view)));
+  count_->setText(QString::fromStdString(count_text(view)));
   if (aspects_ != ids_of(view)) {
     aspects_ = ids_of(view);
     if (shown_was_chosen_) choose_shown(tree_->ticked());
@@ -218,27 +216,29 @@ void AspectsPanel::refresh() {
 
 void AspectsPanel::update_events(const NodeView& view) {
   const std::vector<EventLine> lines = events_of(view);
-  const QString newest = lines.empty() ? QString() : shown(lines.front().time + "  " + lines.front().text);
+  const QString newest =
+      lines.empty() ? QString() : QString::fromStdString(lines.front().time + "  " + lines.front().text);
   const bool same =
       !fresh_link_ && lines.size() == events_ && (lines.empty() || event_list_->item(0)->text() == newest);
   if (same) return;
   fresh_link_ = false;
   events_ = lines.size();
   event_list_->clear();
-  for (const EventLine& line : lines) event_list_->addItem(shown(line.time + "  " + line.text));
+  for (const EventLine& line : lines)
+    event_list_->addItem(QString::fromStdString(line.time + "  " + line.text));
 }
 
 void AspectsPanel::update_map(const NodeView& view) {
   const MapLine line = map_line_of(view);
-  map_text_->setText(shown(line.text));
+  map_text_->setText(QString::fromStdString(line.text));
   map_progress_->setVisible(line.runs);
   map_progress_->setValue(static_cast<int>(std::lround(100.0 * line.share)));
   const Permission permission = line.runs ? may_cancel_map(view) : may_compute_map(view);
   map_button_->setText(line.runs ? "Cancel" : "Compute map anew");
   map_button_->setEnabled(static_cast<bool>(permission));
-  map_button_->setToolTip(
-      shown(permission ? "The map in use stays until another is complete." : permission.refusal));
-  last_answer_->setText(shown(view.last_answer));
+  map_button_->setToolTip(QString::fromStdString(
+      permission ? "The map in use stays until another is complete." : permission.refusal));
+  last_answer_->setText(QString::fromStdString(view.last_answer));
   last_answer_->setVisible(!view.last_answer.empty());
 }
 
@@ -256,7 +256,7 @@ void AspectsPanel::load(const rviz::Config& config) {
 
 void AspectsPanel::save(rviz::Config config) const {
   rviz::Panel::save(config);
-  config.mapSetValue("Node", link_ ? shown(link_->view().node) : QString());
+  config.mapSetValue("Node", link_ ? QString::fromStdString(link_->view().node) : QString());
   config.mapSetValue("Trajectory Topic", plan_->topic());
 }
 

@@ -26,7 +26,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds patience(5000);
-constexpr milliseconds between_looks(300);  // for a master
+constexpr milliseconds between_masters(300);  // looks for a master
 constexpr std::size_t kept_transitions = 200;
 
 const char* const compute_goal = "compute_map/goal";
@@ -85,7 +85,7 @@ bool PanelLink::wait_for_master() const {
   request[0] = ros::this_node::getName();
   while (!worker_.stopping()) {
     if (ros::master::execute("getPid", request, response, payload, false)) return true;
-    worker_.sleep(between_looks);
+    worker_.sleep(between_masters);
   }
   return false;
 }

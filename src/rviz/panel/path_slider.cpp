@@ -14,7 +14,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr int steps = 1000;
-constexpr int mark_width = 3;  // [pixels]
+constexpr int slider_mark_width = 3;  // [pixels]
 
 }  // namespace
 
@@ -45,7 +45,8 @@ int PathSlider::x_of(double share) const {
 void PathSlider::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   for (const double mark : marks_)
-    painter.fillRect(x_of(mark) - mark_width / 2, 0, mark_width, height(), color_of(Tone::warn));
+    painter.fillRect(x_of(mark) - slider_mark_width / 2, 0, slider_mark_width, height(),
+                     color_of(Tone::warn));
   painter.end();
   QSlider::paintEvent(event);
 }

@@ -24,8 +24,6 @@ namespace {
 
 constexpr int between_steps = 40;  // while it plays [ms]
 
-QString shown(const std::string& text) { return QString::fromStdString(text); }
-
 template <typename Widget>
 Widget* named(Widget* widget, const char* name) {
   widget->setObjectName(name);
@@ -34,7 +32,7 @@ Widget* named(Widget* widget, const char* name) {
 
 void permit(QWidget& widget, const Permission& permission, const char* tip) {
   widget.setEnabled(static_cast<bool>(permission));
-  widget.setToolTip(permission ? QString(tip) : shown(permission.refusal));
+  widget.setToolTip(permission ? QString(tip) : QString::fromStdString(permission.refusal));
 }
 
 bool same(const PlanEnd& a, const PlanEnd& b) {
@@ -195,16 +193,17 @@ void PlanWidget::update_goals(const NodeView& view) {
   const unsigned chosen = goal_->currentData().toUInt();
   offered_ = ids_of(view);
   while (goal_->count() > 1) goal_->removeItem(goal_->count() - 1);
-  if (stored_goal_) goal_->addItem(shown("stored: " + pose_of(stored_goal_->pose.pose)));
+  if (stored_goal_) goal_->addItem(QString::fromStdString("stored: " + pose_of(stored_goal_->pose.pose)));
   for (const ModeRows& mode : rows_of(view))
     for (const AspectRow& row : mode.aspects)
-      if (row.id > 0) goal_->addItem(shown("aspect " + std::to_string(row.id) + "  " + mode.mode), row.id);
+      if (row.id > 0)
+        goal_->addItem(QString::fromStdString("aspect " + std::to_string(row.id) + "  " + mode.mode), row.id);
   if (chosen > 0) goal_->setCurrentIndex(std::max(0, goal_->findData(chosen)));
 }
 
 void PlanWidget::add_start(const PlanEnd& start) {
   stored_.push_back(start);
-  start_->addItem(shown(std::to_string(stored_.size()) + ": " + pose_of(start.pose.pose)));
+  start_->addItem(QString::fromStdString(std::to_string(stored_.size()) + ": " + pose_of(start.pose.pose)));
   start_->setCurrentIndex(start_->count() - 1);
 }
 
@@ -231,7 +230,7 @@ void PlanWidget::update_plan(const NodeView& view) {
   cancel_->setEnabled(plan_.runs);
   progress_->setValue(plan_.runs ? static_cast<int>(std::lround(100.0 * plan_.progress)) : 0);
   progress_->setVisible(plan_.runs);
-  answer_->setText(shown(plan_.message));
+  answer_->setText(QString::fromStdString(plan_.message));
 }
 
 void PlanWidget::update_publication() {
@@ -263,7 +262,7 @@ void PlanWidget::scrub() {
   }
   const geometry_msgs::Pose pose = motion_.pose_at(slider_->share());
   const std::vector<std::int8_t> mode = motion_.mode_at(slider_->share());
-  place_->setText(shown(mode_of(mode) + "  " + pose_of(pose)));
+  place_->setText(QString::fromStdString(mode_of(mode) + "  " + pose_of(pose)));
   link_->move_probe(pose, mode);
 }
 

@@ -15,8 +15,6 @@
 namespace parallel_aspects {
 namespace {
 
-QString shown(const std::string& text) { return QString::fromStdString(text); }
-
 constexpr int lines_of_text = 2;    // that the banner has room for, whatever it says
 constexpr int candidate_lines = 7;  // that are seen at once
 
@@ -87,13 +85,14 @@ void StateWidget::show_view(const NodeView& view) {
   show_domains(domain_line_of(view));
   const auto gauges = gauges_of(view);
   for (std::size_t i = 0; i < bars_.size(); ++i) bars_[i]->show_gauge(gauges[i]);
-  scale_->setText(shown("bars: proved distance, full at " + number_text(scale_of(view)) + " m"));
+  scale_->setText(
+      QString::fromStdString("bars: proved distance, full at " + number_text(scale_of(view)) + " m"));
   show_candidates(view);
 }
 
 void StateWidget::show_banner(const Banner& banner) {
-  title_->setText(shown(banner.title));
-  text_->setText(shown(banner.text));
+  title_->setText(QString::fromStdString(banner.title));
+  text_->setText(QString::fromStdString(banner.text));
   if (tone_ == static_cast<int>(banner.tone)) return;
   tone_ = static_cast<int>(banner.tone);
   const char* const ink = banner.tone == Tone::warn ? "black" : "white";
@@ -104,8 +103,8 @@ void StateWidget::show_banner(const Banner& banner) {
 
 void StateWidget::show_domains(const DomainLine& line) {
   domains_->setVisible(!line.text.empty());
-  domains_->setText(shown(line.text));
-  domains_->setToolTip(shown(line.tip));
+  domains_->setText(QString::fromStdString(line.text));
+  domains_->setToolTip(QString::fromStdString(line.tip));
   if (domains_tone_ == static_cast<int>(line.tone)) return;
   domains_tone_ = static_cast<int>(line.tone);
   domains_->setStyleSheet(line.tone == Tone::warn
@@ -121,13 +120,14 @@ void StateWidget::show_candidates(const NodeView& view) {
   const Permission permission = may_choose(view);
   const std::string which =
       view.candidates.complete ? "It is in one of these. " : "It may be in one of these, or in another. ";
-  candidate_text_->setText(shown(which + (permission ? "Click the one that you see:" : permission.refusal)));
+  candidate_text_->setText(
+      QString::fromStdString(which + (permission ? "Click the one that you see:" : permission.refusal)));
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    buttons_[i]->setText(shown(lines[i].branch + "\n" + lines[i].text));
+    buttons_[i]->setText(QString::fromStdString(lines[i].branch + "\n" + lines[i].text));
     buttons_[i]->setMinimumHeight(buttons_[i]->sizeHint().height());
     buttons_[i]->setEnabled(static_cast<bool>(permission));
-    buttons_[i]->setToolTip(
-        shown(permission ? "Tells the node that the robot is in this assembly mode." : permission.refusal));
+    buttons_[i]->setToolTip(QString::fromStdString(
+        permission ? "Tells the node that the robot is in this assembly mode." : permission.refusal));
   }
 }
 
