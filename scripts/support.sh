@@ -109,7 +109,7 @@ show_progress() {
   next=$((began + pause))
   while IFS= read -r line; do
     printf '%s\n' "${line}" >> "${log}"
-    [[ "${line}" =~ ^\[([0-9]+)/([0-9]+)\] ]] && [ "${SECONDS}" -ge "${next}" ] || continue
+    [[ "${line}" =~ ^\[([1-9][0-9]*)/([0-9]+)\] ]] && [ "${SECONDS}" -ge "${next}" ] || continue
     next=$((SECONDS + pause)) done="${BASH_REMATCH[1]}" total="${BASH_REMATCH[2]}"
     left=$(((SECONDS - began) * (total - done) / done))
     printf 'building %d of %d, about %s left\n' "${done}" "${total}" "$(duration "${left}")" >&2
@@ -120,7 +120,7 @@ duration() {
   if [ "$1" -ge 90 ]; then echo "$((($1 + 30) / 60)) min"; else echo "$1 s"; fi
 }
 
-# build_in FOLDER LOG TARGET...: with its progress; what the compiler prints is shown where it fails.
+# build_in FOLDER LOG TARGET...: with its progress; all that is printed is added to LOG.
 build_in() {
   local folder="$1" log="$2"
   shift 2
@@ -145,7 +145,7 @@ build_targets() {
   shift
   mkdir -p "${build}" "${logs}"
   exec 9> "${build}/lock"
-  flock 9
+  flock -n 9 || { echo "waiting for another script that builds" >&2 && flock 9; }
   : > "${log}"
   is_configured "${build_options[@]}" || configure "${build_options[@]}" >> "${log}" 2>&1 || status=1
   [ "${status}" -ne 0 ] || build_in "${build}" "${log}" "$@" || status=1
@@ -154,14 +154,14 @@ build_targets() {
   return "${status}"
 }
 
-# build_benchmark NAME: a program of benchmark/.
+# build_benchmark NAME: a program of benchmark/, with what `build_options` has besides.
 build_benchmark() {
-  build_options=(-DPARALLEL_ASPECTS_BENCHMARKS=ON)
+  build_options+=(-DPARALLEL_ASPECTS_BENCHMARKS=ON)
   install_packages core benchmark >&2
   build_targets "build_$1" "$1" || fail "the build failed; its output is above and in ${logs}/build_$1"
 }
 
-# The environment of the tree's devel space, and a master of its own that is reached where the machine's name is not known.
+# The environment of the tree's devel space. Nodes are reached as localhost, also where the machine's name is not known.
 use_devel_space() {
   set +u
   # shellcheck disable=SC1091
