@@ -1,5 +1,5 @@
 # Other libraries' headers are parsed once for many sources, which halves the time of a build from nothing. Own headers
-# are never among them. The test command builds the libraries without, so that a missing #include shows.
+# are never among them. The scripts build the libraries without, so that a room that lacks an #include shows.
 set(PARALLEL_ASPECTS_PRECOMPILED_HEADERS all CACHE STRING "Whose headers are precompiled: none, tests, all")
 set_property(CACHE PARALLEL_ASPECTS_PRECOMPILED_HEADERS PROPERTY STRINGS none tests all)
 

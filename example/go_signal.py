@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Says on ~go whether the robot may go on: while a state of the monitor that is CLEAR or WARN is not older than ~silence.
 
-Whatever else is the case, it says no: STOP, UNKNOWN, no state yet, a monitor that is dead, stopped or too slow. Who
+Whatever else is the case, it says no: STOP, UNKNOWN, NO_THRESHOLD, no state yet, a monitor that is dead, stopped or too slow. Who
 listens to ~go treats its silence in the same way, so that this program may die too. A ROS master that was started anew
 does not know it, and rospy does not register again: then it starts itself anew, with the same ~silence.
 """
