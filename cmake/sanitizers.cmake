@@ -1,4 +1,4 @@
-# One build serves the tests under sanitizers and the fuzz targets: Clang's, with what libFuzzer counts by in every library.
+# One build serves the tests under sanitizers and the fuzz targets: Clang's, with what libFuzzer counts by in some rooms.
 option(PARALLEL_ASPECTS_SANITIZERS "Build with Address- and UndefinedBehaviorSanitizer, and the fuzz targets; needs Clang" OFF)
 if(PARALLEL_ASPECTS_SANITIZERS)
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
@@ -7,7 +7,9 @@ if(PARALLEL_ASPECTS_SANITIZERS)
   # Eigen takes blocks of empty matrices, which are null and an offset. Null and misaligned pointers and the sizes of objects
   # are AddressSanitizer's and Eigen's to find; asked of every access, they double the build.
   add_compile_options(-O1 -fno-omit-frame-pointer -fsanitize=address,undefined,fuzzer-no-link
-                      -fno-sanitize=pointer-overflow,null,alignment,object-size -fno-sanitize-recover=all)
-  # The runtime is shared: programs that were built without are run against these libraries.
-  add_link_options(-fsanitize=address,undefined -shared-libasan -frtlib-add-rpath)
+                      -fno-sanitize=pointer-overflow,null,alignment,object-size -fno-sanitize-recover=all
+                      -fsanitize-coverage-allowlist=${PROJECT_SOURCE_DIR}/cmake/fuzzed_sources.txt)
+  # The runtime is shared: programs that were built without are run against these libraries. It is loaded before all others, by
+  # LD_PRELOAD.
+  add_link_options(-fsanitize=address,undefined -shared-libasan)
 endif()

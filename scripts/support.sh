@@ -171,6 +171,9 @@ use_devel_space() {
   unset ROS_IP
 }
 
+# What programs that use libraries with sanitizers are started with, by LD_PRELOAD.
+sanitizer_runtime() { clang++-14 -print-file-name=libclang_rt.asan-x86_64.so; }
+
 free_port() {
   python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])'
 }
