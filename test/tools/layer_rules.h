@@ -243,7 +243,8 @@ inline Strings stray_tests_in(const fs::path& root) {
   Strings strays;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / "test")) {
     const std::string folder = folder_of(entry.path(), root / "test");
-    const bool is_test = entry.path().stem().string().find("_test") != std::string::npos;
+    const bool is_test = entry.path().stem().string().find("_test") != std::string::npos &&
+                         entry.path().extension() != ".pyc";  // which Python writes beside it
     if (is_test && entry.is_regular_file() && height(folder) == height("") && !is_layer(folder))
       strays.push_back(entry.path());
   }
