@@ -6,9 +6,9 @@ if(PARALLEL_ASPECTS_SANITIZERS)
   endif()
   # Eigen takes blocks of empty matrices, which are null and an offset. Null and misaligned pointers and the sizes of objects
   # are AddressSanitizer's and Eigen's to find; asked of every access, they double the build.
-  add_compile_options(-O1 -fno-omit-frame-pointer -fsanitize=address,undefined,fuzzer-no-link
+  add_compile_options(-O1 -fno-omit-frame-pointer -fsanitize=address,undefined
                       -fno-sanitize=pointer-overflow,null,alignment,object-size -fno-sanitize-recover=all
-                      -fsanitize-coverage-allowlist=${PROJECT_SOURCE_DIR}/cmake/fuzzed_sources.txt)
+                      -fsanitize-coverage=inline-8bit-counters,pc-table -fsanitize-coverage-allowlist=${PROJECT_SOURCE_DIR}/cmake/fuzzed_sources.txt)
   # The runtime is shared: programs that were built without are run against these libraries. It is loaded before all others, by
   # LD_PRELOAD.
   add_link_options(-fsanitize=address,undefined -shared-libasan)
