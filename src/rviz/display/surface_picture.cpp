@@ -22,7 +22,6 @@ using Eigen::Vector3d;
 constexpr double pi = EIGEN_PI;
 constexpr std::size_t most_triangles = 120000;  // of all surfaces, so that software renders them
 constexpr int plane_cells = 300, tile_cells = 120;
-constexpr double below = 0.01;  // of the robot's size: planes lie behind its links
 
 // Of tiles, over their side.
 constexpr double tile_width = 1.35, workspace_height = 1.35, joint_height = 1.6;
@@ -288,7 +287,7 @@ Vector3d placement(const Manipulator& manipulator, const std::optional<Pose>& pr
   if (space == TaskSpace::SO3) return {ball_distance * pi * radian, 0.0, 0.0};
   if (space == TaskSpace::SE2) {
     const double here = present ? radian * surface_point(space, *present).z() : 0.0;
-    return {0.0, 0.0, -here - below * size};
+    return {0.0, 0.0, -here - plane_below * size};
   }
   return Vector3d::Zero();
 }

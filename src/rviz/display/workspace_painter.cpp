@@ -17,8 +17,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr double plane_below = 0.01;  // of the robot's size: planes lie behind its links
-constexpr double in_front = 0.002;    // of it: lines before the faces that they bound
+constexpr double in_front = 0.002;  // of the robot's size: lines before the faces that they bound
 constexpr Rgb edge_color = 0xDDDDDD;
 constexpr std::size_t most_places = 500;  // that are looked at for a label
 

@@ -12,6 +12,9 @@
 
 namespace parallel_aspects {
 
+/// How far planes lie below what is drawn, behind the robot's links; of the robot's size.
+inline constexpr double plane_below = 0.01;
+
 /// How aspects are drawn among the poses.
 struct WorkspaceStyle {
   double radian = 1.0;       ///< how long an angle of one rad is drawn [m]
