@@ -13,6 +13,10 @@
 /// rounding.
 namespace parallel_aspects {}
 
+#include "parallel_aspects/ask/connect.h"
+#include "parallel_aspects/ask/plan.h"
+#include "parallel_aspects/ask/question.h"
+#include "parallel_aspects/ask/session.h"
 #include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/basins.h"
@@ -30,7 +34,6 @@ namespace parallel_aspects {}
 #include "parallel_aspects/aspects/pose_slice.h"
 #include "parallel_aspects/aspects/regular_workspace.h"
 #include "parallel_aspects/aspects/roadmap_location.h"
-#include "parallel_aspects/aspects/rotation_slice.h"
 #include "parallel_aspects/aspects/same_aspect.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/aspects/uniqueness.h"
@@ -52,13 +55,10 @@ namespace parallel_aspects {}
 #include "parallel_aspects/motion/check_trajectory.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
 #include "parallel_aspects/motion/escape_direction.h"
-#include "parallel_aspects/motion/local_motion.h"
 #include "parallel_aspects/motion/motion_guard.h"
 #include "parallel_aspects/motion/plan_path.h"
-#include "parallel_aspects/motion/rehearsal.h"
 #include "parallel_aspects/motion/roadmap_graph.h"
 #include "parallel_aspects/motion/time_path.h"
-#include "parallel_aspects/motion/tour.h"
 #include "parallel_aspects/singularity/indices.h"
 #include "parallel_aspects/singularity/margins.h"
 #include "parallel_aspects/tracking/approach_speed.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/motion/local_motion.h"
+#include "motion/local_motion.h"
 
 #include "motion/roadmap.h"
 #include "parallel_aspects/kinematics/inverse.h"

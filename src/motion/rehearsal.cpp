@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/motion/rehearsal.h"
+#include "motion/rehearsal.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ask/connect.h"
+#include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
-#include "parallel_aspects/motion/plan_path.h"
 #include "tools/arguments.h"
 #include "tools/motion_report/choice_report.h"
 #include "tools/motion_report/violation_report.h"
 
 #include "python/arrays.h"
+#include "python/asking.h"
 #include "python/bindings.h"
 #include "python/long_call.h"
 #include "python/python_errors.h"
-#include <algorithm>
 #include <pybind11/stl.h>
 #include <utility>
 
@@ -172,114 +173,36 @@ py::object choose_region(const CoreRobot& robot, const std::string& region, cons
   return object_of(tools::report_region_choice(manipulator, question, choice).json);
 }
 
-/// Ends and wish of a path.
-struct PathTexts {
-  std::string from_mode, to_mode, policy, prefer;  // modes may be empty
-};
-
-PathWish wish_of(const PathTexts& texts) {
-  PathWish wish;
-  Problems problems;
-  bool known = false;
-  for (const PathPolicy policy : {PathPolicy::stay, PathPolicy::serial, PathPolicy::any})
-    if (texts.policy == name(policy)) {
-      wish.policy = policy;
-      known = true;
-    }
-  if (!known) problems.push_back("policy is '" + texts.policy + "'; give stay, serial or any.");
-  known = false;
-  for (const PathPreference prefer : {PathPreference::shortest, PathPreference::clear, PathPreference::quick})
-    if (texts.prefer == name(prefer)) {
-      wish.prefer = prefer;
-      known = true;
-    }
-  if (!known) problems.push_back("prefer is '" + texts.prefer + "'; give short, clear or quick.");
-  refuse_any(problems);
-  return wish;
+template <class Question>
+py::dict ask_robot(const CoreRobot& robot, const py::dict& keywords, const py::object& progress) {
+  ask::Session session(robot.manipulator);
+  return ask_session<Question>(session, keywords, progress);
 }
 
-PathEnd end_of(const std::string& name, const Manipulator& manipulator, const Array& values,
-               const std::string& mode) {
-  PathEnd end;
-  end.pose = pose_of(name, manipulator, values);
-  if (!mode.empty()) end.mode = mode_of(name + "_mode", manipulator, mode);
-  return end;
+template <class Question>
+py::dict ask_map(const CoreMap& map, const py::dict& keywords, const py::object& progress) {
+  ask::Session session(map.map->manipulator());
+  session.know(map.map);
+  return ask_session<Question>(session, keywords, progress);
 }
 
-py::dict path_dict(const Manipulator& manipulator, const PlannedPath& path) {
-  std::vector<Pose> poses;
-  std::vector<TaskVector> q;
-  std::vector<std::string> modes;
-  for (const PathPoint& point : path.points) {
-    poses.push_back(point.pose);
-    q.push_back(point.q);
-    modes.push_back(to_string(point.mode));
-  }
-  py::list crossings;
-  for (const PathCrossing& crossing : path.crossings) {
-    const bool serial = crossing.kind == Crossing::serial;
-    crossings.append(py::dict(py::arg("kind") = serial ? "serial" : "parallel",
-                              py::arg("point") = crossing.point, py::arg("behind") = crossing.behind,
-                              py::arg("leg") = serial ? leg_name(manipulator, crossing.leg) : py::none(),
-                              py::arg("from_aspect") = crossing.from, py::arg("to_aspect") = crossing.to));
-  }
-  py::dict result;
-  result["answer"] = name(path.answer);
-  result["message"] = path.message;
-  result["poses"] = array_of(manipulator.task_space(), poses);
-  result["q"] = array_of(q, manipulator.leg_count());
-  result["modes"] = modes;
-  result["crossings"] = crossings;
-  result["length"] = path.length;
-  result["turned"] = path.turned;
-  result["least_index"] = path.least_index;
-  return result;
-}
-
-py::dict plan(const CoreMap& map, const Array& from, const Array& to, const std::string& from_mode,
-              const std::string& to_mode, const std::string& policy, const std::string& prefer,
-              const py::object& progress) {
-  const Manipulator& manipulator = map.robot();
-  const PathEnd start = end_of("start", manipulator, from, from_mode),
-                goal = end_of("goal", manipulator, to, to_mode);
-  const PathWish wish = wish_of({from_mode, to_mode, policy, prefer});
-  return path_dict(manipulator, run_long(progress, [&](const MapControl& control) {
-                     return PathPlanner(map.map).plan(start, goal, wish, control);
-                   }));
-}
-
-py::dict plan_over_roadmap(const CoreRobot& robot, const Array& from, const Array& to,
-                           const std::string& from_mode, const std::string& to_mode,
-                           const std::string& policy, const std::string& prefer, std::size_t samples,
-                           std::uint64_t seed, const py::object& progress) {
-  const Manipulator& manipulator = *robot.manipulator;
-  const PathEnd start = end_of("start", manipulator, from, from_mode),
-                goal = end_of("goal", manipulator, to, to_mode);
-  const PathWish wish = wish_of({from_mode, to_mode, policy, prefer});
-  if (wish.policy == PathPolicy::any)
-    throw InvalidDescription({"policy any needs a map; give serial, or ask the plan() of a map."});
-  RoadmapOptions options;
-  options.samples = samples;
-  options.seed = seed;
-  for (const auto& mode : {start.mode, goal.mode})
-    if (mode && std::find(options.modes.begin(), options.modes.end(), *mode) == options.modes.end())
-      options.modes.push_back(*mode);
-  return path_dict(manipulator, run_long(progress, [&](const MapControl& control) {
-                     const RoadmapResult result = compute_pose_roadmap(robot.manipulator, options, control);
-                     if (!result) throw InvalidDescription({result.message});
-                     return plan_in_roadmap(*result.roadmap, start, goal, wish, control);
-                   }));
+template <class Question, class Answer>
+void bind_question(const std::string& name, py::module& module, RobotClass& robot, MapClass& map) {
+  module.def((name + "_question").c_str(), fields_of<Question>);
+  module.def((name + "_answer").c_str(), fields_of<Answer>);
+  robot.def(name.c_str(), ask_robot<Question>);
+  map.def(name.c_str(), ask_map<Question>);
 }
 
 }  // namespace
 
-void bind_motion(RobotClass& robot, MapClass& map) {
+void bind_motion(py::module& module, RobotClass& robot, MapClass& map) {
   robot.def("check", check);
   robot.def("check_joints", check_joints);
   robot.def("choose", choose);
   robot.def("choose_region", choose_region);
-  robot.def("plan", plan_over_roadmap);
-  map.def("plan", plan);
+  bind_question<ask::PlanQuestion, ask::PlanAnswer>("plan", module, robot, map);
+  bind_question<ask::ConnectQuestion, ask::ConnectAnswer>("connect", module, robot, map);
 }
 
 }  // namespace parallel_aspects::python

@@ -30,7 +30,7 @@ using MapClass = pybind11::class_<CoreMap>;
 void bind_loading(pybind11::module& module);
 void bind_robot(RobotClass& robot);
 void bind_distance(RobotClass& robot);
-void bind_motion(RobotClass& robot, MapClass& map);
+void bind_motion(pybind11::module& module, RobotClass& robot, MapClass& map);
 void bind_map(RobotClass& robot, MapClass& map);
 void bind_design(RobotClass& robot, MapClass& map);
 

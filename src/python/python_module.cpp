@@ -14,6 +14,6 @@ PYBIND11_MODULE(_core, module) {
   pa::bind_robot(robot);
   pa::bind_distance(robot);
   pa::bind_map(robot, map);
-  pa::bind_motion(robot, map);
+  pa::bind_motion(module, robot, map);
   pa::bind_design(robot, map);
 }

@@ -4,7 +4,7 @@
 #include "aspects/tree/held_joint_example.h"
 #include "model/number_text.h"
 #include "parallel_aspects/aspects/held_joint.h"
-#include "parallel_aspects/aspects/rotation_slice.h"
+#include "parallel_aspects/aspects/pose_slice.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "tools/computation.h"
 #include "tools/numbers.h"

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_MAP_CHOICE_H
 #define PARALLEL_ASPECTS_TOOLS_MAP_CHOICE_H
 
+#include "parallel_aspects/ask/session.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/pose.h"
@@ -25,9 +26,9 @@ struct MapChoice {
 /// `choice`.
 std::vector<Option> map_choice_options(MapChoice& choice, const std::string& slice_option = "--slice");
 
-/// A pose, and the option that gives it.
+/// A pose, and the field that gives it.
 struct NamedPose {
-  std::string option;
+  std::string field;
   Pose* pose;
 };
 
@@ -38,21 +39,18 @@ std::optional<MapSlice> parse_slice_with_ends(const std::string& option, const M
                                               const std::string& text, const std::vector<NamedPose>& ends,
                                               double& moved, Problems& problems);
 
-/// A map, and whether a file had it.
-struct ChosenMap {
-  std::shared_ptr<const AspectMap> map;
-  bool loaded = false;
-};
-
 /// The map of that choice in these working modes, or all of them where there are none, from the file where it
 /// fits, else computed, with a progress bar on a terminal; it is saved where that is asked for. Throws
 /// `Interrupted`, or `InvalidDescription` where it is refused.
-ChosenMap choose_map(const std::shared_ptr<const Manipulator>& manipulator, const MapChoice& choice,
-                     const std::optional<MapSlice>& slice, const Surroundings& surroundings,
-                     const std::vector<WorkingMode>& modes = {});
+ask::FoundMap choose_map(const std::shared_ptr<const Manipulator>& manipulator, const MapChoice& choice,
+                         const std::optional<MapSlice>& slice, const Surroundings& surroundings,
+                         const std::vector<WorkingMode>& modes = {});
 
 /// Tells where the map is from: `loaded` in JSON, and a line where a file was named.
-void report_source(const MapChoice& choice, const ChosenMap& chosen, Report& report);
+void report_source(const MapChoice& choice, const ask::FoundMap& chosen, Report& report);
+
+/// That line.
+std::string source_text(const ask::MapSource& source, bool loaded);
 
 /// Writes a map with the gates between its aspects, which `aspects plan --load` then need not look for; an
 /// empty name is none. Throws `Interrupted`, or `InvalidDescription` where it cannot.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/motion/rehearsal.h"
+#include "motion/rehearsal.h"
 
 #include "motion/roadmap.h"
+#include "motion/tour.h"
 #include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/motion/tour.h"
 
 #include <gtest/gtest.h>
 

@@ -180,6 +180,32 @@ def test_planned_segments_keep_the_sign(robot, aspects):
     assert pa.load("stewart").plan((0, 0, 1.3, 0, 0, 0, 1), (0, 0, 1.2, 0, 0, 0, 1), samples=20).poses.shape[1] == 7
 
 
+def test_paths_know_what_the_command_knows(robot):
+    fast = robot.plan((4.5, 8), (4, 6), prefer="fast", acceleration=(100, 100))
+    assert fast.prefer == "fast" and fast.seconds > 0 and fast.trajectory["q"].shape[1] == 2
+    assert fast.trajectory["times"][-1] == pytest.approx(fast.seconds)
+    planar = pa.load("three_rpr")
+    held = {"strut_1_joint": 14.98}
+    aspects = planar.map(slice=held)
+    around = aspects.plan(aspects.aspects[0].deepest, around_cusp=1)
+    again = planar.plan(aspects.aspects[0].deepest, hold=held, around_cusp=1)
+    for path in (around, again):
+        assert path.around_cusp == 1 and path.slice["held"] == held and path.answer == around.answer
+    assert around.turns_around_cusps == again.turns_around_cusps and around.poses == pytest.approx(again.poses)
+    with pytest.raises(TypeError):
+        robot.plan((4.5, 8), (4, 8), polciy="stay")
+
+
+def test_connections_are_those_of_the_map(robot, aspects):
+    answer = robot.connect((4.5, 8), (4, 6), mode="(+,-)")
+    (only,) = answer["answers"]
+    assert only["same_aspect"] == "yes" and only["working_mode"] == "(+,-)" and only["clearance"] > 0
+    assert only["path"].shape[1] == 2 and only["bottleneck"]["lower"] <= only["bottleneck"]["upper"]
+    for each in aspects.connect((4.5, 8), (4.5, -8))["answers"]:
+        ids = aspects.locate([(4.5, 8), (4.5, -8)], each["working_mode"])
+        assert ids.min() <= 0 or (each["same_aspect"] == "yes") == (ids[0] == ids[1])
+
+
 def test_workspaces_lie_in_their_aspects(aspects):
     found = aspects.workspace("disc")
     assert [each.aspect for each in found] == [aspect.id for aspect in aspects.aspects]
@@ -261,6 +287,11 @@ BAD = {
     "times has 1": lambda robot, aspects: robot.check([0], [(4.5, 8), (4, 8)], "(+,-)"),
     "shape is 'disk'": lambda robot, aspects: aspects.workspace("disk"),
     "aspects has 11": lambda robot, aspects: aspects.workspace("disc", [11]),
+    "prefer fast needs acceleration": lambda robot, aspects: robot.plan((4.5, 8), (4, 8), prefer="fast"),
+    "around_cusp is of robots": lambda robot, aspects: robot.plan((4.5, 8), around_cusp=1),
+    "goal is required": lambda robot, aspects: robot.plan((4.5, 8)),
+    "samples and seed are for roadmaps": lambda robot, aspects: aspects.plan((4.5, 8), (4, 8), samples=10),
+    "hold is (1, 2)": lambda robot, aspects: robot.plan((4.5, 8), (4, 8), hold=(1, 2)),
     "policy is 'x'": lambda robot, aspects: aspects.plan((4.5, 8), (4, 8), policy="x"),
     "no aspect 99": lambda robot, aspects: aspects.boxes(99),
     "numbers of the same link": lambda robot, aspects: robot.sweep({"crank": (6, 8, 3), "crank_1": 3}),

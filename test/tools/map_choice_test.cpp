@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/map_choice.h"
 
+#include "model/pose_text.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "tools/arguments.h"
 #include "tools/report/report.h"
@@ -31,7 +32,7 @@ struct Placed {
 Placed placed(const Manipulator& robot, const std::string& slice, const std::string& text) {
   Placed result;
   result.pose = parse_pose("--from", robot.task_space(), text, result.problems);
-  parse_slice_with_ends("--hold", robot, slice, {{"--from", &result.pose}}, result.moved, result.problems);
+  parse_slice_with_ends("--hold", robot, slice, {{"start", &result.pose}}, result.moved, result.problems);
   return result;
 }
 
@@ -43,7 +44,7 @@ TEST(MapChoice, TakesPosesOfTablesWithAJointHeld) {
   double most = 0.0;
   for (int i = 0; i < 2000; ++i) {
     const Pose pose = circle.pose(angle(random), angle(random));
-    const Placed found = placed(*robot, "leg_1_joint=14.98", pose_argument(robot->task_space(), pose));
+    const Placed found = placed(*robot, "leg_1_joint=14.98", pose_numbers(robot->task_space(), pose));
     ASSERT_TRUE(found.problems.empty()) << found.problems.front();
     EXPECT_LE(std::abs(circle.distance(found.pose)), 1e-12);
     EXPECT_LE((found.pose.position - pose.position).norm(), 1e-3);
@@ -62,7 +63,7 @@ TEST(MapChoice, TakesPosesOfTablesInOtherSlices) {
     pose.position = {number(random), number(random), number(random)};
     const std::string held = "roll=" + std::to_string(slice.held_coordinates.front().value);
     const Placed found =
-        placed(*robot, held + " pitch=0.2 yaw=-0.3", pose_argument(robot->task_space(), pose));
+        placed(*robot, held + " pitch=0.2 yaw=-0.3", pose_numbers(robot->task_space(), pose));
     EXPECT_TRUE(found.problems.empty()) << found.problems.front();
   }
 }

@@ -95,6 +95,9 @@ Bottleneck find_bottleneck(const AspectMap& map, const WorkingMode& mode, const 
                            ParallelIndex index, const BottleneckPrecision& precision = {},
                            const MapControl& control = {});
 
+/// "parallel" or "det_a", as questions name them.
+const char* name(ParallelIndex index) noexcept;
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_ASPECTS_BASINS_H

@@ -69,6 +69,12 @@ Eigen::AlignedBox2d slice_bounds(const AspectMap& map, const MapSlice& slice);
 /// How far apart two slices are, the short way round where the level is an angle [m or rad].
 double level_difference(TaskSpace space, double a, double b) noexcept;
 
+/// A slice of SO3 or SE3 in which the platform turns by phi from the orientation that is held, about an axis
+/// through its operational point: x, y or z of the task frame, or own-x, own-y or own-z of the platform.
+/// Roll, pitch and yaw are all held, and up to two positions may be free; else as `make_slice`.
+MapSlice make_rotation_slice(TaskSpace space, const std::vector<HeldCoordinate>& held,
+                             const std::string& axis, Problems& problems);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_ASPECTS_POSE_SLICE_H

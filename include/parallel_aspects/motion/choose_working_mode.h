@@ -196,19 +196,15 @@ Problems problems_of(const Manipulator& manipulator, const RegionQuestion& quest
 RegionChoice choose_working_mode(const std::shared_ptr<const Manipulator>& manipulator,
                                  const RegionQuestion& question, const RegionChoiceOptions& options = {});
 
-/// Whether two poses lie in one aspect, and how clear the way is.
-struct Connection {
-  AspectComparison comparison;  ///< as of `same_aspect`
-
-  /// Of its path, where there is one; `time` counts segments.
-  std::optional<PathClearance> clearance;
-
-  Pose narrowest;  ///< of the path, where `clearance->measured` was measured
+/// How clear a way is.
+struct PathMeasure {
+  PathClearance clearance;  ///< `time` counts segments
+  Pose narrowest;           ///< of the path, where `clearance.measured` was measured
 };
 
-/// Asks, until one knows: what is proved of the two poses, the roadmap, and the map, which may be null.
-Connection connect_poses(const PoseRoadmap& roadmap, const AspectMap* map, const PoseInMode& first,
-                         const PoseInMode& second);
+/// Of at least two poses, from each of which the straight way to the next is proved free in this mode.
+PathMeasure measure_path(const std::shared_ptr<const Manipulator>& manipulator,
+                         const std::vector<Pose>& poses, const WorkingMode& mode);
 
 /// What a map knows where neither poses nor roadmaps tell: sets an answer where it is yes or no. Yes comes
 /// without a path.

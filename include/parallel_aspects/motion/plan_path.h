@@ -69,6 +69,13 @@ struct PathPoint {
   JointVector q;     ///< actuated joints there [rad or m]; of angles the nearest to those before
 };
 
+/// From where there is a path around a cusp.
+struct CuspStart {
+  int aspect = 0;  ///< that the cusp belongs to, see `Cusp` of uniqueness.h; 0 where it is not known
+  /// Nothing where none is found.
+  std::optional<PathPoint> point;
+};
+
 /// Where a path goes from one aspect into another.
 struct PathCrossing {
   Crossing kind = Crossing::serial;  ///< through a parallel one control of the platform is lost

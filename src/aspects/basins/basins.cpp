@@ -220,4 +220,8 @@ std::optional<MapBasins> find_basins(const AspectMap& map, ParallelIndex index, 
   return basins;
 }
 
+const char* name(ParallelIndex index) noexcept {
+  return index == ParallelIndex::normalised ? "parallel" : "det_a";
+}
+
 }  // namespace parallel_aspects

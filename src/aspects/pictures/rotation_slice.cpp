@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/rotation_slice.h"
+#include "parallel_aspects/aspects/pose_slice.h"
 
 #include <algorithm>
 #include <array>

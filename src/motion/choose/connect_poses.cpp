@@ -37,19 +37,13 @@ void ask_map(const AspectMap& map, const PoseInMode& first, const PoseInMode& se
     comparison = {SameAspect::no, "The map proves the two aspects separate.", {}, 0};
 }
 
-Connection connect_poses(const PoseRoadmap& roadmap, const AspectMap* map, const PoseInMode& first,
-                         const PoseInMode& second) {
-  Connection result;
-  AspectComparison& comparison = result.comparison;
-  comparison = same_aspect(roadmap, first, second, SearchEffort::brief);
-  if (comparison.searched_sign != 0 && map != nullptr) ask_map(*map, first, second, comparison);
-  if (comparison.searched_sign != 0 && comparison.answer == SameAspect::unknown)
-    comparison = same_aspect(roadmap, first, second);
-  if (result.comparison.path.size() < 2) return result;
-  const std::vector<PoseWaypoint> path = timed(result.comparison.path);
-  BoundaryDistanceMeter meter(roadmap.certifier().manipulator());
-  result.clearance = measure_clearance(meter, *roadmap.certifier().manipulator(), path, first.mode, measures);
-  result.narrowest = pose_at(path, result.clearance->time);
+PathMeasure measure_path(const std::shared_ptr<const Manipulator>& manipulator,
+                         const std::vector<Pose>& poses, const WorkingMode& mode) {
+  const std::vector<PoseWaypoint> path = timed(poses);
+  BoundaryDistanceMeter meter(manipulator);
+  PathMeasure result;
+  result.clearance = measure_clearance(meter, *manipulator, path, mode, measures);
+  result.narrowest = pose_at(path, result.clearance.time);
   return result;
 }
 

@@ -17,13 +17,6 @@
 
 namespace parallel_aspects {
 
-/// From where there is a path around a cusp.
-struct CuspStart {
-  int aspect = 0;  ///< that the cusp belongs to, see `Cusp`; 0 where it is not known
-  /// Nothing where none is found.
-  std::optional<PathPoint> point;
-};
-
 /// Plans changes of the assembly mode on purpose, in one aspect of a slice that holds an actuated joint:
 /// paths at whose end the actuated joints are back where they were at the start, and the platform is not.
 /// Every segment is proved as those of `PathPlanner` are.

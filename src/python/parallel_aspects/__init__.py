@@ -18,7 +18,6 @@ __all__ = [
     "NOT_MAPPED",
     "OUTSIDE",
     "Path",
-    "PathCrossing",
     "Robot",
     "Sweep",
     "UNDECIDED",

@@ -13,7 +13,6 @@ from ._api import (
     InvalidDescription as InvalidDescription,
     Map as Map,
     Path as Path,
-    PathCrossing as PathCrossing,
     Robot as Robot,
     Sweep as Sweep,
     Workspace as Workspace,

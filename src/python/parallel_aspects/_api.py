@@ -9,7 +9,8 @@ import numpy as np
 
 from . import _core
 from ._core import InvalidDescription
-from ._map import NOT_MAPPED, OUTSIDE, UNDECIDED, Map, path_of, shape_texts
+from ._fields import documented
+from ._map import NOT_MAPPED, OUTSIDE, UNDECIDED, Map, shape_texts
 from ._results import (
     Aspect,
     BoundaryDistance,
@@ -19,7 +20,6 @@ from ._results import (
     DirectSolutions,
     Distances,
     Path,
-    PathCrossing,
     Sweep,
     Workspace,
 )
@@ -268,24 +268,25 @@ class Robot:
         that of `aspects choose --region` in JSON."""
         return self._core.choose_region(ranges_text(region), values_text(slice))
 
+    def connect(
+        self, start: "np.typing.ArrayLike", goal: "np.typing.ArrayLike", progress: Progress = None, **options: Any
+    ) -> Dict[str, Any]:
+        """Whether two poses lie in one aspect, by working mode, as of `aspects connect`. Poses of the answer are arrays."""
+        return self._core.connect({"start": start, "goal": goal, **options}, progress)
+
     def plan(
         self,
         start: "np.typing.ArrayLike",
-        goal: "np.typing.ArrayLike",
+        goal: "Optional[np.typing.ArrayLike]" = None,
         start_mode: Optional[Mode] = None,
         goal_mode: Optional[Mode] = None,
-        policy: str = "stay",
-        prefer: str = "quick",
-        samples: int = 1000,
-        seed: int = 1,
         progress: Progress = None,
+        **options: Any,
     ) -> Path:
-        """A path between two poses of shape (k,) over a roadmap of sampled poses, in every task space, with six degrees
-        of freedom too; else `Map.plan` knows more. policy: "stay" in one aspect, or pass "serial" singularities."""
-        modes = [mode_text(mode) if mode is not None else "" for mode in (start_mode, goal_mode)]
-        ends = array("start", start), array("goal", goal)
-        counts = count("samples", samples), count("seed", seed)
-        return path_of(self._core.plan(*ends, *modes, policy, prefer, *counts, progress))
+        """A path that is proved, or a proof that there is none, as of `aspects plan`: in a map that is computed first, with
+        six degrees of freedom over a roadmap. `Map.plan` asks a map that is there."""
+        ends = {"start": start, "goal": goal, "start_mode": start_mode, "goal_mode": goal_mode}
+        return Path(**self._core.plan({**ends, **options}, progress))
 
     def sweep(
         self,
@@ -345,6 +346,10 @@ class Robot:
             curve["poses"] = np.array([[point["pose"][name] for name in self.coordinates] for point in curve["points"]])
             curve["q"] = np.array([point["actuated"] for point in curve["points"]])
         return answer
+
+
+documented(Robot.plan, _core.plan_question())
+documented(Robot.connect, _core.connect_question())
 
 
 def read_sweep(file: "Union[str, os.PathLike]") -> Sweep:

@@ -5,7 +5,9 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from ._results import Aspect, Path, PathCrossing, Workspace
+from . import _core
+from ._fields import documented
+from ._results import Aspect, Path, Workspace
 from ._text import Mode, array, count, listed, mode_text, number, ranges_text, ratio_text, real, values_text
 
 UNDECIDED = 0  # closer to a singularity or a limit than the map can tell
@@ -112,21 +114,24 @@ class Map:
         ids = [count("aspects", each) for each in listed(aspects)]
         return [Workspace(**each) for each in self._core.workspace(texts, ids, progress)]
 
+    def connect(
+        self, start: "np.typing.ArrayLike", goal: "np.typing.ArrayLike", progress: Optional[Callable[[float], Any]] = None, **options: Any
+    ) -> Dict[str, Any]:
+        """Whether two poses lie in one aspect, by working mode, as of `aspects connect`; this map is asked. Poses of the answer are arrays."""
+        return self._core.connect({"start": start, "goal": goal, **options}, progress)
+
     def plan(
         self,
         start: "np.typing.ArrayLike",
-        goal: "np.typing.ArrayLike",
+        goal: "Optional[np.typing.ArrayLike]" = None,
         start_mode: Optional[Mode] = None,
         goal_mode: Optional[Mode] = None,
-        policy: str = "stay",
-        prefer: str = "quick",
         progress: Optional[Callable[[float], Any]] = None,
+        **options: Any,
     ) -> Path:
-        """A path between two poses of shape (k,), in working modes or in any. policy: "stay" in one aspect, pass "serial"
-        singularities, or "any"; prefer: "short", "clear" or "quick"."""
-        modes = [mode_text(mode) if mode is not None else "" for mode in (start_mode, goal_mode)]
-        ends = array("start", start), array("goal", goal)
-        return path_of(self._core.plan(*ends, *modes, policy, prefer, progress))
+        """A path through these aspects that is proved, or a proof that there is none, as of `aspects plan`."""
+        ends = {"start": start, "goal": goal, "start_mode": start_mode, "goal_mode": goal_mode}
+        return Path(**self._core.plan({**ends, **options}, progress))
 
     def save(self, file: "Union[str, os.PathLike]") -> None:
         """Writes it for `Robot.load_map` and `aspects map --load`."""
@@ -153,6 +158,10 @@ class Map:
         return plot_map(self, modes, level, cells, axes)
 
 
+documented(Map.plan, _core.plan_question())
+documented(Map.connect, _core.connect_question())
+
+
 def shape_texts(
     shape: str = "",
     center: "Union[None, str, Dict[str, float]]" = None,
@@ -168,9 +177,3 @@ def shape_texts(
         "orientation": ranges_text(orientation),
         "gap": "" if gap is None else number(gap),
     }
-
-
-def path_of(answer: Dict[str, Any]) -> Path:
-    """As the compiled part gives it."""
-    crossings = tuple(PathCrossing(**crossing) for crossing in answer["crossings"])
-    return Path(**{**answer, "modes": tuple(answer["modes"]), "crossings": crossings})

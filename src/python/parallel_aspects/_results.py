@@ -2,9 +2,13 @@
 """What questions are answered with. Lengths in m, angles in rad, times in s; a pose is an array of shape (k,), in the
 order of `Robot.coordinates`; a joint vector has shape (legs,), in the order of `Robot.legs`."""
 from dataclasses import dataclass
-from typing import Any, Dict, List, Optional, Tuple
+from types import SimpleNamespace
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
+
+from . import _core
+from ._fields import documented
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,34 +95,20 @@ class Check:
     samples: Dict[str, np.ndarray]  # "times" (n,), "poses" (n, k), "q" (n, legs), "parallel_index" (n,), "serial_indices" (n, legs)
 
 
-@dataclass(frozen=True, eq=False)
-class PathCrossing:
-    """Where a path goes from one aspect into another."""
+class Path(SimpleNamespace):
+    """A path, each segment of which is proved free of singularities, or why there is none.
 
-    kind: str  # "serial", or "parallel" where control of the platform is lost
-    point: int  # index of the last point before it
-    behind: int  # index of the first point behind it
-    leg: Optional[str]  # that changes its posture, where serial
-    from_aspect: int  # id in the map; 0 over a roadmap
-    to_aspect: int
+    In place of `path`: `poses` (n, k), `q` (n, legs) and `modes` (n) of its points. True where there is one.
+    """
 
-
-@dataclass(frozen=True, eq=False)
-class Path:
-    """A path, each segment of which is proved free of singularities, or why there is none."""
-
-    answer: str  # "yes", proved; "no", proved: there is none; or "unknown"
-    message: str
-    poses: np.ndarray  # (n, k)
-    q: np.ndarray  # actuated joints, (n, legs)
-    modes: Tuple[str, ...]  # of each point
-    crossings: Tuple[PathCrossing, ...]
-    length: float  # way of the operational point [m]
-    turned: float  # rotation of the platform [rad]
-    least_index: float  # smallest parallel index at samples
+    def __init__(self, crossings: Sequence[Dict[str, Any]], **fields: Any) -> None:
+        super().__init__(crossings=tuple(SimpleNamespace(**each) for each in crossings), **fields)
 
     def __bool__(self) -> bool:
         return self.answer == "yes"
+
+
+documented(Path, _core.plan_answer())
 
 
 @dataclass(frozen=True, eq=False)

@@ -150,15 +150,14 @@ void write_changes(const Manipulator& manipulator, const ChangingPath& path,
     response.posture_changes.push_back(change_message(manipulator, change));
 }
 
-ModeConnection connection_message(const Manipulator& manipulator, const WorkingMode& mode,
-                                  const Connection& connection) {
+ModeConnection connection_message(const Manipulator& manipulator, const ask::ConnectionInMode& connection) {
   ModeConnection message;
-  message.working_mode = signs_message(mode);
+  message.working_mode = signs_message(connection.mode);
   message.answer = answer_message(connection.comparison.answer);
   message.reason = connection.comparison.message;
   for (const Pose& pose : connection.comparison.path) message.path.push_back(in_base(manipulator, pose));
   message.clearance = connection.clearance ? connection.clearance->lower : none;
-  message.narrowest = in_base(manipulator, connection.narrowest);
+  message.narrowest = in_base(manipulator, connection.narrowest.value_or(Pose()));
   return message;
 }
 

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_MESSAGES_CHOICE_MESSAGES_H
 #define PARALLEL_ASPECTS_ROS_MESSAGES_CHOICE_MESSAGES_H
 
+#include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
 
 #include <parallel_aspects/ChooseWorkingMode.h>
@@ -21,8 +22,7 @@ void write_choice(const Manipulator& manipulator, const RegionChoice& choice,
 void write_changes(const Manipulator& manipulator, const ChangingPath& path,
                    ChooseWorkingMode::Response& response);
 
-ModeConnection connection_message(const Manipulator& manipulator, const WorkingMode& mode,
-                                  const Connection& connection);
+ModeConnection connection_message(const Manipulator& manipulator, const ask::ConnectionInMode& connection);
 
 }  // namespace parallel_aspects
 

@@ -63,7 +63,8 @@ void write_path(const Manipulator& manipulator, const PlannedPath& path, PlanPat
     for (const std::int8_t sign : signs_message(point.mode)) result.working_modes.push_back(sign);
   for (const PathCrossing& crossing : path.crossings) {
     result.crossings.push_back(static_cast<std::uint32_t>(crossing.point));
-    result.crossing_legs.push_back(manipulator.leg(crossing.leg).name);
+    result.crossing_legs.push_back(crossing.kind == Crossing::serial ? manipulator.leg(crossing.leg).name
+                                                                     : std::string());
   }
   result.length = path.length;
   result.turned = path.turned;

@@ -3,6 +3,7 @@
 
 #include "ros/messages/choice_messages.h"
 #include "ros/messages/conversions.h"
+#include "ros/plan/plan_question.h"
 
 #include <algorithm>
 #include <utility>
@@ -38,7 +39,8 @@ ChoiceQueries::ChoiceQueries(std::shared_ptr<const Manipulator> manipulator, con
     : manipulator_(std::move(manipulator)),
       worker_(worker),
       to_base_(std::move(to_base)),
-      certifier_(manipulator_) {}
+      certifier_(manipulator_),
+      session_(manipulator_) {}
 
 ChooseWorkingMode::Response ChoiceQueries::answer(const ChooseWorkingMode::Request& request) const {
   ChooseWorkingMode::Response response;
@@ -100,38 +102,37 @@ Status ChoiceQueries::read_path(const ChooseWorkingMode::Request& request,
   return status;
 }
 
-// One for all questions: the same question gets the same answer.
-std::shared_ptr<const PoseRoadmap> ChoiceQueries::roadmap() const {
-  if (const auto known = worker_.known().roadmap) return known;
-  const std::lock_guard<std::mutex> lock(roadmap_mutex_);
-  if (!roadmap_) roadmap_ = compute_pose_roadmap(manipulator_).roadmap;
-  return roadmap_;
+// One roadmap for all questions, so that the same question gets the same answer.
+ask::Outcome<ask::ConnectAnswer> ChoiceQueries::connect(const ask::ConnectQuestion& question) const {
+  const std::lock_guard<std::mutex> lock(session_mutex_);
+  session_.know(worker_.map());
+  if (const auto known = worker_.known().roadmap) session_.know(known);
+  ask::ProblemList problems;
+  if (const auto roadmap = session_.roadmap({}, {}, problems)) session_.know(roadmap);
+  if (!problems.empty()) return {MapStatus::refused, std::move(problems), {}};
+  return ask::answer(session_, question);
 }
 
 Connect::Response ChoiceQueries::answer(const Connect::Request& request) const {
   Connect::Response response;
+  ask::ConnectQuestion question;
+  question.brief = true;
   const std::vector<WorkingMode> modes = modes_of(*manipulator_, request.working_mode);
   if (modes.empty()) {
     response.status =
         invalid_request("working_mode must have a sign, 1 or -1, for each leg that has two, or be empty.");
     return response;
   }
-  Pose start, goal;
-  response.status = read_pose(*manipulator_, to_base_, request.start, "start", start);
+  if (modes.size() == 1) question.mode = modes.front();
+  response.status = read_pose(*manipulator_, to_base_, request.start, "start", question.start.emplace());
   if (response.status.code != Status::OK) return response;
-  const Status read = read_pose(*manipulator_, to_base_, request.goal, "goal", goal);
+  const Status read = read_pose(*manipulator_, to_base_, request.goal, "goal", question.goal.emplace());
   if (read.code != Status::OK || response.status.message.empty()) response.status = read;
   if (read.code != Status::OK) return response;
-  const auto known = roadmap();
-  if (!known) {
-    response.status =
-        make_status(Status::FAILED, "The legs leave the positions unbounded; limit the actuated joints.");
-    return response;
-  }
-  const auto map = worker_.map();
-  for (const WorkingMode& mode : modes)
-    response.answers.push_back(connection_message(
-        *manipulator_, mode, connect_poses(*known, map.get(), {start, mode}, {goal, mode})));
+  const auto outcome = connect(question);
+  if (!outcome) response.status = refused(outcome.problems);
+  for (const ask::ConnectionInMode& each : outcome.answer.answers)
+    response.answers.push_back(connection_message(*manipulator_, each));
   return response;
 }
 

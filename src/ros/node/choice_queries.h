@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_NODE_CHOICE_QUERIES_H
 #define PARALLEL_ASPECTS_ROS_NODE_CHOICE_QUERIES_H
 
-#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/motion/check_trajectory.h"
 #include "ros/monitor/map_worker.h"
@@ -35,14 +35,14 @@ class ChoiceQueries {
   Status choose_for_region(const ChooseWorkingMode::Request& request,
                            ChooseWorkingMode::Response& response) const;
   Status read_path(const ChooseWorkingMode::Request& request, std::vector<PoseWaypoint>& waypoints) const;
-  std::shared_ptr<const PoseRoadmap> roadmap() const;
+  ask::Outcome<ask::ConnectAnswer> connect(const ask::ConnectQuestion& question) const;
 
   std::shared_ptr<const Manipulator> manipulator_;
   const MapWorker& worker_;
   PoseTransformer to_base_;
   SegmentCertifier certifier_;
-  mutable std::mutex roadmap_mutex_;
-  mutable std::shared_ptr<const PoseRoadmap> roadmap_;  // made when it is first asked for
+  mutable std::mutex session_mutex_;
+  mutable ask::Session session_;  // its roadmap is made when it is first asked for
 };
 
 }  // namespace parallel_aspects

@@ -1,35 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/motion_report/plan_report.h"
 
+#include "model/number_text.h"
+#include "model/pose_text.h"
 #include "model/task_space_traits.h"
-#include "tools/report/bounds_report.h"
-#include "tools/report/slice_report.h"
+#include "motion/choose/plan_around_cusp.h"
+#include "tools/report/option_name.h"
 #include "tools/report/text_table.h"
+
+#include <cstdlib>
 
 namespace parallel_aspects::tools {
 namespace {
-
-using nlohmann::json;
-
-json json_point(const Manipulator& manipulator, const PathPoint& point) {
-  return {{"pose", json_pose(manipulator.task_space(), point.pose)},
-          {"working_mode", point.mode.signs()},
-          {"actuated", json_numbers(point.q)}};
-}
-
-/// A roadmap does not number aspects.
-json json_aspect(int id) { return id == 0 ? json() : json(id); }
-
-json json_crossing(const Manipulator& manipulator, const PathCrossing& crossing) {
-  const bool serial = crossing.kind == Crossing::serial;
-  return {{"after_point", crossing.point},
-          {"before_point", crossing.behind},
-          {"crossing", name(crossing.kind)},
-          {"control_lost", !serial},
-          {"leg", serial ? json(manipulator.leg(crossing.leg).name) : json(nullptr)},
-          {"from_aspect", json_aspect(crossing.from)},
-          {"to_aspect", json_aspect(crossing.to)}};
-}
 
 /// What happens between a point and the one before.
 std::string remark(const Manipulator& manipulator, const PlannedPath& path, std::size_t point) {
@@ -61,45 +43,73 @@ std::string length_text(const Manipulator& manipulator, const PlannedPath& path)
   return text;
 }
 
-/// How the pose runs there; what is proved is proved of this curve alone.
-std::string between_points(const std::optional<MapSlice>& slice) {
-  return slice && slice->joint ? "the direction of the held anchor from the base, and phi, run straight"
-                               : "positions run straight; quaternions straight and normalised, the short way";
+/// Where to begin in place of a start without a path around a cusp, with digits that take it onto the slice
+/// again.
+std::string other_start_text(const Manipulator& robot, const ask::PlanAnswer& answer) {
+  const CuspStart& start = answer.other_start;
+  if (start.aspect == 0) return "";
+  const std::string text = " Cusp " + std::to_string(answer.around_cusp->value) + " belongs to component " +
+                           std::to_string(start.aspect);
+  if (!start.point) return text + ", but from no pose beside it a path is found.";
+  const bool has_modes = working_modes(robot).size() > 1;
+  std::string values;
+  for (Eigen::Index j = 0; j < start.point->q.size(); ++j)
+    values += (j == 0 ? "" : " ") + number_text(start.point->q[j], pose_digits);
+  return text + "; a start of that component with a path is --from \"" +
+         pose_numbers(robot.task_space(), start.point->pose, pose_digits) + "\"" +
+         (has_modes ? " --from-mode \"" + to_string(start.point->mode) + "\"" : "") +
+         ", where the actuated values are \"" + values + "\".";
+}
+
+/// How far from where it was asked for a path begins or ends, and where it does.
+std::string moved_text(const Manipulator& robot, const ask::PlanAnswer& answer) {
+  if (answer.moved_onto_slice.value_or(0.0) == 0.0) return "";
+  const auto& points = answer.path.points;
+  const auto quoted = [&robot](const PathPoint& point) {
+    return "\"" + pose_numbers(robot.task_space(), point.pose, pose_digits) + "\"";
+  };
+  return std::string(answer.around_cusp ? "the start is" : "the ends are") +
+         " moved onto the slice, by at most " + shown(*answer.moved_onto_slice) + " m" +
+         (points.empty() ? "" : ": from " + quoted(points.front()) + " to " + quoted(points.back())) + "\n";
 }
 
 }  // namespace
 
-Report report_path(const Manipulator& manipulator, const PlannedPath& path, const PathWish& wish,
-                   const std::optional<MapSlice>& slice) {
-  const bool has_path = path.answer == SameAspect::yes;
-  json object = {{"mechanism", manipulator.name()},
-                 {"policy", name(wish.policy)},
-                 {"prefer", name(wish.prefer)},
-                 {"answer", name(path.answer)},
-                 {"proved", path.answer != SameAspect::unknown},
-                 {"slice", json_slice(slice)},
-                 {"between_points", between_points(slice)},
-                 {"reason", path.message},
-                 {"path", json::array()},
-                 {"crossings", json::array()},
-                 {"length", has_path ? json(path.length) : json()},
-                 {"turned", has_path ? json(path.turned) : json()},
-                 {"least_index", json_number(path.least_index)},
-                 {"least_det_a", json_number(path.least_det_a)}};
-  for (const PathPoint& point : path.points) object["path"].push_back(json_point(manipulator, point));
-  for (const PathCrossing& crossing : path.crossings)
-    object["crossings"].push_back(json_crossing(manipulator, crossing));
-  std::string text = manipulator.name() + ", a path: " + name(path.answer) + "\n" + path.message + "\n";
-  const std::string unit = determinant_unit(manipulator);
-  if (has_path)
-    text += counted(path.points.size(), "point") + ", " + counted(path.crossings.size(), "crossing") + ", " +
-            length_text(manipulator, path) + "\nsmallest of 32 poses a segment: parallel index " +
-            shown(path.least_index) + ", |det A| " + shown(path.least_det_a) +
-            (unit.empty() ? unit : " " + unit) + "\nbetween points: " + between_points(slice) + "\n\n" +
-            points_text(manipulator, path);
-  const Report constraints = report_constraints(manipulator);
-  object.update(constraints.json);
-  return {object, text + '\n' + constraints.text};
+std::string reason_text(const Manipulator& robot, const ask::PlanAnswer& answer) {
+  std::string text = answer.path.message + other_start_text(robot, answer);
+  for (const std::string& each : answer.remarks) text += " " + ask::with_names(each, option_name);
+  return text;
+}
+
+std::string turns_text(const ask::PlanAnswer& answer) {
+  if (!answer.turns_around_cusps || !answer.path) return "";
+  std::string around;
+  for (std::size_t k = 0; k < answer.turns_around_cusps->size(); ++k)
+    if (const int turns = (*answer.turns_around_cusps)[k]; turns != 0)
+      around += (around.empty() ? "" : ",") + std::string(" around cusp ") + std::to_string(k + 1) + " " +
+                (std::abs(turns) == 1 ? "once" : counted(static_cast<std::size_t>(std::abs(turns)), "time")) +
+                (turns > 0 ? " counter-clockwise" : " clockwise");
+  return "the actuated values go" + around + "\n" + noise_text(answer.encoder_noise.value_or(0.0)) + "\n";
+}
+
+std::string plan_text(const Manipulator& robot, const ask::PlanAnswer& answer) {
+  const PlannedPath& path = answer.path;
+  const std::string start =
+      robot.name() + ", a path: " + name(path.answer) + "\n" + reason_text(robot, answer) + "\n";
+  if (!path) return start;
+  const std::string unit = determinant_unit(robot);
+  return start + counted(path.points.size(), "point") + ", " + counted(path.crossings.size(), "crossing") +
+         ", " + length_text(robot, path) + "\nsmallest of 32 poses a segment: parallel index " +
+         shown(path.least_index) + ", |det A| " + shown(path.least_det_a) +
+         (unit.empty() ? unit : " " + unit) + "\nbetween points: " + ask::between_points(answer.slice) +
+         "\n\n" + points_text(robot, path);
+}
+
+std::string text_after(const Manipulator& robot, const ask::PlanAnswer& answer) {
+  const std::string text = moved_text(robot, answer);
+  if (!answer.timed) return text;
+  const TimedPath& timed = *answer.timed;
+  return text + "\nin time: " + (timed ? shown(timed.seconds) + " s. " : "no. ") + timed.message + '\n';
 }
 
 }  // namespace parallel_aspects::tools

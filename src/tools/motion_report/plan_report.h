@@ -2,13 +2,11 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_MOTION_REPORT_PLAN_REPORT_H
 #define PARALLEL_ASPECTS_TOOLS_MOTION_REPORT_PLAN_REPORT_H
 
+#include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/aspects/aspect_graph.h"
-#include "parallel_aspects/aspects/map_slice.h"
-#include "parallel_aspects/motion/plan_path.h"
 #include "parallel_aspects/motion/roadmap_graph.h"
 #include "tools/report/report.h"
 
-#include <optional>
 #include <string>
 
 namespace parallel_aspects::tools {
@@ -24,9 +22,17 @@ Report report_graph(const PoseRoadmap& roadmap, const RoadmapGraph& found);
 std::string graph_as_dot(const AspectMap& map, const AspectGraph& graph);
 std::string graph_as_dot(const RoadmapGraph& found);
 
-/// `aspects plan`: the path, or why there is none.
-Report report_path(const Manipulator& manipulator, const PlannedPath& path, const PathWish& wish,
-                   const std::optional<MapSlice>& slice);
+/// `aspects plan`: why there is a path, or none.
+std::string reason_text(const Manipulator& robot, const ask::PlanAnswer& answer);
+
+/// The path.
+std::string plan_text(const Manipulator& robot, const ask::PlanAnswer& answer);
+
+/// How often its actuated values go around each cusp; empty where that was not asked.
+std::string turns_text(const ask::PlanAnswer& answer);
+
+/// How far its ends were moved, and what is known of it in time.
+std::string text_after(const Manipulator& robot, const ask::PlanAnswer& answer);
 
 }  // namespace parallel_aspects::tools
 

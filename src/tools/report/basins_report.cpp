@@ -113,8 +113,6 @@ std::string index_name(ParallelIndex index) {
   return index == ParallelIndex::normalised ? "parallel index" : "|det A|";
 }
 
-std::string name(ParallelIndex index) { return index == ParallelIndex::normalised ? "parallel" : "det_a"; }
-
 void add_depths(const AspectMap& map, const MapBasins& basins, Report& report) {
   report.json["index"] = name(basins.index);
   for (std::size_t i = 0; i < basins.deepest.size(); ++i)

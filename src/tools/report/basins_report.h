@@ -15,9 +15,6 @@ std::string shown_range(const IndexRange& range);
 /// "parallel index" or "|det A|".
 std::string index_name(ParallelIndex index);
 
-/// "parallel" or "det_a", as it is written for --index and --margin.
-std::string name(ParallelIndex index);
-
 /// Adds to each aspect of a report of `aspects map` its largest index, and how well those that could be one
 /// are connected.
 void add_depths(const AspectMap& map, const MapBasins& basins, Report& report);

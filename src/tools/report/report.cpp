@@ -4,7 +4,6 @@
 #include "model/coefficients.h"
 #include "model/spherical_links.h"
 #include "model/task_space_traits.h"
-#include "tools/report/without_noise.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -65,14 +64,6 @@ nlohmann::json json_indices(const SingularityIndices& indices) {
 }
 
 std::string shown(double value) { return with_digits(value, 6); }
-
-std::string pose_argument(TaskSpace space, const Pose& pose, int digits) {
-  const PoseCoordinates coordinates = pose_coordinates(space, pose);
-  std::string text;
-  for (Eigen::Index k = 0; k < coordinates.size(); ++k)
-    text += (k == 0 ? "" : " ") + with_digits(without_noise(coordinates[k]), digits);
-  return text;
-}
 
 std::string shown_briefly(double value) { return with_digits(value, 4); }
 

@@ -51,9 +51,6 @@ std::string shown_bound(double value, Side side);
 /// Several numbers, separated by ", ".
 std::string shown(const TaskVector& values);
 
-/// A pose as options such as --pose take it, with at most so many significant digits.
-std::string pose_argument(TaskSpace space, const Pose& pose, int digits = 6);
-
 /// "+" or "-".
 std::string shown_sign(double value);
 

@@ -44,18 +44,6 @@ void add_neighbours(const AspectMap& map, const std::vector<Neighbours>& neighbo
 /// `aspects map` with six degrees of freedom: samples and components by working mode and sign of det A.
 Report report_roadmap(const PoseRoadmap& roadmap, bool verbose = false);
 
-/// What is known in one working mode.
-struct ModeAnswer {
-  WorkingMode mode;
-  AspectComparison comparison;
-  ParallelIndex index = ParallelIndex::normalised;
-  std::optional<Bottleneck> bottleneck;  ///< by that index, where there is a map
-};
-
-/// `aspects connect`: whether two poses lie in one aspect, by working mode.
-Report report_comparison(const Manipulator& manipulator, const Pose& from, const Pose& to,
-                         const std::vector<ModeAnswer>& answers);
-
 /// What is measured in one working mode.
 struct ModeDistances {
   WorkingMode mode;

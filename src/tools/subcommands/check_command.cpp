@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/number_text.h"
+#include "model/pose_text.h"
 #include "model/spherical_links.h"
 #include "motion/check/check_text.h"
 #include "parallel_aspects/motion/check_joint_trajectory.h"
@@ -219,7 +220,7 @@ std::string start_options(const Manipulator& manipulator, const std::vector<Poss
   for (std::size_t i = 0; i < std::min(most, starts.size()); ++i) {
     const int sign = telling_sign(starts, i);
     text += (i == 0 ? " Give --start-pose \"" : ", or --start-pose \"") +
-            pose_argument(manipulator.task_space(), starts[i].pose) + "\"";
+            pose_numbers(manipulator.task_space(), starts[i].pose) + "\"";
     if (sign != 0) text += std::string(" (the same as --start-sign ") + (sign > 0 ? "+" : "-") + ")";
   }
   if (starts.size() > most) text += ", or one of " + std::to_string(starts.size() - most) + " more";

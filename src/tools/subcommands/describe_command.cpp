@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/pose_text.h"
 #include "model/spherical_links.h"
 #include "parallel_aspects/aspects/design.h"
 #include "parallel_aspects/kinematics/working_mode.h"
@@ -6,7 +7,6 @@
 #include "tools/report/cones_report.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
-#include "tools/report/without_noise.h"
 #include "tools/subcommands.h"
 
 #include <variant>
@@ -204,7 +204,7 @@ std::string home_text(const Mechanism& mechanism) {
     named += (k == 0 ? "" : ", ") + coordinate_names(space)[static_cast<std::size_t>(k)] + ' ' +
              shown(coordinates[k]);
   const TaskVector q = home.q.unaryExpr(&without_noise);
-  return "home pose: " + named + " (--pose \"" + pose_argument(space, home.pose) +
+  return "home pose: " + named + " (--pose \"" + pose_numbers(space, home.pose) +
          "\"), at the joint values " + shown(q) + "\n";
 }
 

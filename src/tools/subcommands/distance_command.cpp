@@ -156,7 +156,7 @@ std::string distances_text(const Manipulator& manipulator, const Pose& pose,
 }
 
 std::vector<ModeDistances> measured(const std::shared_ptr<const Manipulator>& manipulator,
-                                    const DistanceQuestion& question, const ChosenMap& chosen,
+                                    const DistanceQuestion& question, const ask::FoundMap& chosen,
                                     const Surroundings& surroundings) {
   BoundaryDistanceMeter meter(manipulator, question.options);
   if (chosen.map) {
@@ -192,7 +192,7 @@ Report answer(const DistanceArguments& arguments, const Surroundings& surroundin
   const auto mechanism = load_robot(arguments.robot);
   const auto& manipulator = mechanism->manipulator();
   const DistanceQuestion question = parse(arguments, *manipulator);
-  ChosenMap chosen;
+  ask::FoundMap chosen;
   if (arguments.asks_map()) chosen = choose_map(manipulator, arguments.map, std::nullopt, surroundings);
   const std::vector<ModeDistances> answers = measured(manipulator, question, chosen, surroundings);
   Report report = report_distances(*manipulator, question.pose, answers);

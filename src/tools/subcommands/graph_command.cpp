@@ -55,7 +55,7 @@ Report report_over_map(const std::shared_ptr<const Manipulator>& manipulator, co
   if (!arguments.roadmap.samples.empty() || !arguments.roadmap.seed.empty())
     throw InvalidDescription(
         {"--samples and --seed are for roadmaps, in SE3 without --slice; leave them out."});
-  const ChosenMap chosen = choose_map(manipulator, arguments.map, slice, surroundings);
+  const ask::FoundMap chosen = choose_map(manipulator, arguments.map, slice, surroundings);
   const AspectMap& map = *chosen.map;
   const auto graph = compute_aspect_graph(map, control_of(surroundings));
   if (!graph) throw Interrupted{};

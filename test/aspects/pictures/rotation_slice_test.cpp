@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/rotation_slice.h"
-
 #include "aspects/tree/slice_space.h"
+#include "parallel_aspects/aspects/pose_slice.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 //
 // The running node, through its topics, services, action and tf. Tests run in the order in which they are
 // written; each waits for what it needs, up to a deadline.
-#include "parallel_aspects/motion/tour.h"
+#include "motion/tour.h"
 #include "ros/monitor/five_bar_setup.h"
 #include "ros/node/node_client.h"
 

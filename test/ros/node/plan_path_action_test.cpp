@@ -201,7 +201,7 @@ TEST_F(PlanPathAsked, RefusesWhatItCannotBeAsked) {
   goal.policy = 7;
   expect_refused(goal, Status::INVALID_REQUEST, "policy");
   goal = in_one_aspect();
-  goal.prefer = 3;
+  goal.prefer = 4;
   expect_refused(goal, Status::INVALID_REQUEST, "prefer must be");
   goal.prefer = PlanPathGoal::FAST;
   goal.path_only = true;
@@ -243,6 +243,36 @@ TEST_F(PlanPathAsked, KeepsAMargin) {
     goal.parallel_margin = wrong;
     expect_refused(goal, Status::INVALID_REQUEST, "parallel_margin");
   }
+}
+
+TEST_F(PlanPathAsked, StaysInASlice) {
+  PlanPathGoal goal = in_one_aspect();
+  goal.goal = at_pose(4.5, 6.0, "");
+  goal.path_only = true;
+  goal.held_names = {"x"};
+  goal.held_values = {4.5};
+  const Answer held = ask(goal);
+  ASSERT_EQ(held.result.answer, Result::YES) << held.result.reason << held.result.status.message;
+  for (const auto& pose : held.result.path.poses) EXPECT_NEAR(pose.pose.position.x, 4.5, 1e-9);
+  goal.held_values = {4.4};
+  expect_refused(goal, Status::INVALID_REQUEST, "start lies 0.1 m from the slice");
+  goal.held_values.clear();
+  expect_refused(goal, Status::INVALID_REQUEST, "give a value for each name");
+  goal.held_names = {"q"};
+  goal.held_values = {1.0};
+  expect_refused(goal, Status::INVALID_REQUEST, "'q'");
+}
+
+TEST_F(PlanPathAsked, PassesDetAWhereAnyPathWillDo) {
+  wait_for_map("/aspect_node");
+  PlanPathGoal goal = through_a_gate();
+  goal.policy = PlanPathGoal::ANY;
+  goal.prefer = PlanPathGoal::QUICK;
+  expect_refused(goal, Status::INVALID_REQUEST, "give policy serial");
+  goal.path_only = true;
+  const Answer any = ask(goal);
+  ASSERT_EQ(any.result.answer, Result::YES) << any.result.reason;
+  EXPECT_EQ(any.result.crossings.size(), any.result.crossing_legs.size());
 }
 
 TEST_F(PlanPathAsked, NeedsAMap) {

@@ -106,7 +106,8 @@ TEST_F(CuspRefusals, SayAtOnceWhereThereAreNoCuspsToGoAround) {
         "its "
         "value at the start, such as \"strut_1_joint=19\"."},
        {{"plan", "three_rpr", "--from", "-14.9 1.58 0.245", "--hold", "phi=0.245", "--around-cusp", "1"},
-        "--hold names 'phi'; give one of the actuated joints: strut_1_joint, strut_2_joint, strut_3_joint."},
+        "--around-cusp needs a slice that holds an actuated joint, where cusps are points; give --hold with "
+        "its value at the start, such as \"strut_1_joint=19\"."},
        {{"plan", "three_rpr", "--from", "-14.9 1.58 0.245", "--hold", "strut_1_joint=15", "--around-cusp",
          "0"},
         "--around-cusp is '0'; give a whole number from 1 to 10000."}});

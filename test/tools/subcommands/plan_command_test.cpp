@@ -185,7 +185,7 @@ TEST_F(PlanCommand, NamesWhatIsWrong) {
       std::string::npos);
   EXPECT_NE(refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--prefer", "fast",
                      "--acceleration", "0 1"})
-                .find("--acceleration is '0 1'"),
+                .find("--acceleration has a number that is not positive"),
             std::string::npos);
 }
 

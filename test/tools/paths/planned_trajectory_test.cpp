@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/paths/path_timing.h"
-
 #include "tools/paths/trajectory_file.h"
 #include "tools/paths/trajectory_text.h"
 

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASK_CONNECT_H
+#define PARALLEL_ASPECTS_ASK_CONNECT_H
+
+#include "parallel_aspects/ask/question.h"
+#include "parallel_aspects/ask/session.h"
+#include "parallel_aspects/aspects/basins.h"
+#include "parallel_aspects/aspects/same_aspect.h"
+#include "parallel_aspects/motion/choose_working_mode.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+inline constexpr std::array<ParallelIndex, 2> choices(ParallelIndex /*tag*/) {
+  return {ParallelIndex::normalised, ParallelIndex::determinant};
+}
+
+namespace ask {
+
+/// Whether two poses lie in one aspect.
+struct ConnectQuestion {
+  std::optional<Pose> start{}, goal{};
+  std::optional<WorkingMode> mode{};  ///< by default every one
+  MapSource map{};
+  std::optional<Count<1, 100000>> samples{};
+  std::optional<Count<0, 4294967295>> seed{};
+  ParallelIndex index = ParallelIndex::normalised;  ///< of bottlenecks
+  bool brief = false;  ///< asks no map but one that is known, and looks for no bottleneck
+};
+
+template <class Visit>
+void describe(Visit& visit, ConnectQuestion& question) {
+  visit({"start", "\"x y\"", "A pose of the platform, quoted; lengths [m]"}, question.start);
+  visit({"goal", "\"x y\"", "Another one"}, question.goal);
+  visit({"mode", "\"(+,-)\"", "Working mode, as signs of B_jj; by default every one"}, question.mode);
+  visit({"slice", "\"phi=0\"",
+         "Ask within a slice: held pose coordinates, or in SE2 an actuated joint, with the value [m or rad]; "
+         "its map answers. Poses are (x, y, phi) whatever is held"},
+        question.map.hold);
+  visit({"samples", "N", "Poses of the roadmap that is asked where the straight way is not free"},
+        question.samples);
+  visit({"seed", "N", "Seed of the roadmap"}, question.seed);
+  visit({"resolution", "R",
+         "Resolution of the map that is asked last [m or rad]; by default one is made in T2 only"},
+        question.map.resolution);
+  visit({"load", "FILE", "Take the map from this file if it is of this robot and these options"},
+        question.map.load);
+  visit({"index", "parallel|det_a",
+         "By which index bottlenecks are measured: parallel, |det A| over the norms of its rows, or det_a, "
+         "|det A| itself; by default parallel"},
+        question.index);
+}
+
+/// The largest index that a path can keep, and which index.
+struct IndexBottleneck {
+  ParallelIndex kind = ParallelIndex::normalised;
+  Bottleneck found;
+};
+
+/// What is known in one working mode.
+struct ConnectionInMode {
+  WorkingMode mode;
+  AspectComparison comparison;
+  std::optional<PathClearance> clearance;     ///< of its path, where there is one; `time` counts segments
+  std::optional<Pose> narrowest;              ///< of the path, where `clearance->measured` was measured
+  std::optional<IndexBottleneck> bottleneck;  ///< where there is a map
+};
+
+template <class Visit>
+void describe(Visit& visit, const ConnectionInMode& answer) {
+  visit({"working_mode", "", "signs of B_jj"}, answer.mode);
+  visit({"same_aspect", "", "`yes` and `no` are proved; `unknown`"}, answer.comparison.answer);
+  visit({"reason", "", "a message"}, answer.comparison.message);
+  visit(
+      {"failing_constraint", "",
+       "the constraint that is proved to fail at one of the two poses, where that is why the answer is `no`; "
+       "else null"},
+      answer.comparison.failing);
+  visit(
+      {"path", "",
+       "with `yes`: poses from the first to the second; positions run straight from one to the next, "
+       "quaternions straight and normalised, and each such segment is proved free; empty where the map gave "
+       "the answer"},
+      answer.comparison.path);
+  visit({"clearance", "m",
+         "proved: no singularity is nearer than this to any pose of the path; null without one"},
+        answer.clearance ? std::make_optional(answer.clearance->lower) : std::nullopt);
+  visit({"narrowest", "", "the pose of the path that was measured to be nearest to one; null without one"},
+        answer.narrowest);
+  visit(
+      {"bottleneck", "",
+       "the largest index that a path between the two can keep: `index` (`parallel` or `det_a`), `lower`, "
+       "`upper`, proved; null without a map, or where the two are proved to lie in different aspects or not "
+       "to lie in one"},
+      answer.bottleneck);
+}
+
+struct ConnectAnswer {
+  TaskSpace task_space = TaskSpace::T2;
+  Pose from, to;  ///< as they were asked of, moved onto the slice
+  std::vector<ConnectionInMode> answers;
+  std::optional<MapSlice> slice;
+  std::optional<double> moved_onto_slice;  ///< the farther of the two [m]
+  std::vector<std::string> remarks;        ///< sentences for people, fields in braces
+};
+
+template <class Visit>
+void describe(Visit& visit, const ConnectAnswer& answer) {
+  visit({"task_space", "", "how the platform moves"}, answer.task_space);
+  visit({"from", "", "one of the two poses"}, answer.from);
+  visit({"to", "", "the other"}, answer.to);
+  visit({"answers", "", "one for each working mode, as follows"}, answer.answers);
+  visit({"slice", "", "with {slice}: what is held and free, as for maps; else null"}, answer.slice);
+  visit({"moved_onto_slice", "m", "by how much a pose was moved onto it at most; null without {slice}"},
+        answer.moved_onto_slice);
+}
+
+/// Asks, until one knows: what is proved of the two poses, a roadmap, a map; in a slice its map alone.
+Outcome<ConnectAnswer> answer(Session& session, const ConnectQuestion& question, const Control& control = {});
+
+}  // namespace ask
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASK_CONNECT_H

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASK_PLAN_H
+#define PARALLEL_ASPECTS_ASK_PLAN_H
+
+#include "parallel_aspects/ask/question.h"
+#include "parallel_aspects/ask/session.h"
+#include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/motion/plan_path.h"
+#include "parallel_aspects/motion/time_path.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// All values, for whoever reads one by its name.
+inline constexpr std::array<PathPolicy, 3> choices(PathPolicy /*tag*/) {
+  return {PathPolicy::stay, PathPolicy::serial, PathPolicy::any};
+}
+inline constexpr std::array<PathPreference, 4> choices(PathPreference /*tag*/) {
+  return {PathPreference::shortest, PathPreference::clear, PathPreference::fast, PathPreference::quick};
+}
+
+namespace ask {
+
+/// Where a path begins or ends.
+struct EndQuestion {
+  std::optional<Pose> pose{};
+  std::optional<WorkingMode> mode{};  ///< by default any
+  std::optional<JointVector>
+      joints{};  ///< in place of a pose, or with one, which tells of several the nearest
+  std::optional<Count<1, 1000000>>
+      aspect{};                      ///< in place of both: the deepest pose of this aspect of the map
+  std::optional<PathEnd> tracked{};  ///< in place of all: what belongs together, as a robot is followed
+};
+
+/// A path of the platform that is proved, or a proof that there is none.
+struct PlanQuestion {
+  EndQuestion start{}, goal{};
+  PathPolicy policy = PathPolicy::stay;
+  PathPreference prefer = PathPreference::quick;
+  std::optional<Count<1, 10000>> around_cusp{};  ///< in place of a goal
+  MapSource map{};
+  std::optional<Count<1, 100000>> samples{};
+  std::optional<Count<0, 4294967295>> seed{};
+  /// Limits [rad/s^2 or m/s^2]; by default those of the session. The path is timed where they are known.
+  std::optional<JointVector> acceleration{};
+  std::string timed_for{};  ///< a clause: what needs the path in time, which is refused where there is none
+};
+
+template <class Visit>
+void describe_end(Visit& visit, const std::string& name, EndQuestion& end) {
+  const bool starts = name == "start";
+  visit({name, "\"x y\"",
+         starts ? "Where the path begins: a pose, quoted; lengths [m]" : "Where it ends, likewise"},
+        end.pose);
+  visit({name + "_mode", "\"(+,-)\"", "Working mode there, as signs of B_jj; by default any"}, end.mode);
+  visit({name + "_joints", "\"q1 q2\"",
+         "In place of a pose: values of the actuated joints, in the order of the legs [rad or m]; of several "
+         "assembly modes the one next to {" +
+             name + "}"},
+        end.joints);
+  visit({name + "_aspect", "ID", "In place of a pose: the deepest one of this aspect of the map"},
+        end.aspect);
+}
+
+template <class Visit>
+void describe(Visit& visit, PlanQuestion& question) {
+  describe_end(visit, "start", question.start);
+  describe_end(visit, "goal", question.goal);
+  visit({"policy", "stay|serial|any",
+         "stay: in one aspect, the default. serial: legs may change their posture on the way. any: through "
+         "det A = 0 too, where control of the platform is lost; each such place is listed"},
+        question.policy);
+  visit({"prefer", "short|clear|fast|quick",
+         "Which of several paths. short: the shortest that is found. clear: the one with the largest least "
+         "parallel index. fast: the one that takes the least time. quick: a short one that is found soonest, "
+         "the default"},
+        question.prefer);
+  visit({"around_cusp", "N",
+         "In place of an end, with {hold}: around this cusp of those that `uniqueness` lists, back to the "
+         "actuated values of the start in another assembly mode of its aspect"},
+        question.around_cusp);
+  visit({"resolution", "R",
+         "Longest edge of an undecided leaf of the base map [m or rad]; by default what suits the robot"},
+        question.map.resolution);
+  visit({"hold", "\"z=1\"",
+         "Stay in a line, plane or volume of poses: what is held, with its value [m or rad]; the rest is "
+         "free. In SE2 an actuated joint may be held, such as \"strut_1_joint=15\""},
+        question.map.hold);
+  visit({"load", "FILE", "Take the map from this file if it is of this robot and these options"},
+        question.map.load);
+  visit({"save", "FILE", "Write the map to this file, with its gates, for {load}"}, question.map.save);
+  visit({"samples", "N", "With six degrees of freedom: poses of the roadmap, by default 1000"},
+        question.samples);
+  visit({"seed", "N", "With six degrees of freedom: seed of its poses, by default 1"}, question.seed);
+  visit({"acceleration", "\"10 10\"",
+         "Acceleration limits of the actuated joints [rad/s^2 or m/s^2], with which the path is timed; by "
+         "default those of motion.acceleration in the YAML, if any"},
+        question.acceleration);
+}
+
+/// What is known of the path.
+struct PlanAnswer {
+  PathPolicy policy = PathPolicy::stay;
+  PathPreference prefer = PathPreference::quick;
+  PlannedPath path;
+  std::optional<MapSlice> slice;
+  std::optional<double> moved_onto_slice;      ///< the farthest of the ends [m]
+  std::shared_ptr<const AspectMap> map;        ///< null where no map was asked
+  bool loaded = false;                         ///< from the file
+  PoseBetween between = pose_between;          ///< how the pose runs from a point to the next
+  std::optional<Count<1, 10000>> around_cusp;  ///< as asked
+  std::optional<std::vector<int>> turns_around_cusps;
+  std::optional<double> encoder_noise;  ///< `CuspPlanner::followed_noise`
+  CuspStart other_start;                ///< where to begin, where no path around the cusp is found
+  std::vector<std::string> remarks;     ///< sentences for people, fields in braces
+  std::optional<TimedPath> timed;       ///< where asked for and there is a path
+};
+
+/// How the pose runs from a point of a path to the next; what is proved is proved of this curve alone.
+std::string between_points(const std::optional<MapSlice>& slice);
+
+template <class Visit>
+void describe(Visit& visit, const PlanAnswer& answer) {
+  const bool has_path = static_cast<bool>(answer.path);
+  const auto of_path = [has_path](double value) {
+    return has_path ? std::make_optional(value) : std::nullopt;
+  };
+  visit({"policy", "", "`stay`, `serial` or `any`"}, answer.policy);
+  visit({"prefer", "", "`quick`, `short`, `clear` or `fast`"}, answer.prefer);
+  visit({"answer", "", "`yes`, `no` or `unknown`"}, answer.path.answer);
+  visit({"proved", "", "whether that is proved, which yes and no are"},
+        answer.path.answer != SameAspect::unknown);
+  visit({"reason", "", "why, a sentence or more"}, answer.path.message);
+  visit({"slice", "", "what {hold} holds, as of `connect`; null without it"}, answer.slice);
+  visit(
+      {"between_points", "",
+       "how the pose runs from a point to the next, which is the curve that is proved: `phi` alone does not "
+       "run evenly. Through det A = 0 it runs straight in the coordinates of the map"},
+      between_points(answer.slice));
+  visit({"path", "",
+         "points with `pose`, `working_mode` and the values of the `actuated` joints [rad or m], angles "
+         "without jumps"},
+        answer.path.points);
+  visit(
+      {"crossings", "",
+       "`after_point` and `before_point` (index of the points before and behind it), `crossing` (`serial` or "
+       "`parallel`), `control_lost` (where parallel), `leg` (null where parallel), `from_aspect` and "
+       "`to_aspect` (null over a roadmap)"},
+      answer.path.crossings);
+  visit({"length", "m", "of the way of the operational point; null without a path"},
+        of_path(answer.path.length));
+  visit({"turned", "rad", "of the rotation of the platform; null without a path"},
+        of_path(answer.path.turned));
+  visit({"least_index", "", "smallest parallel index at 32 poses a segment, not proved; null without a path"},
+        of_path(answer.path.least_index));
+  visit({"least_det_a", "", "smallest determinant there, likewise"}, of_path(answer.path.least_det_a));
+  visit({"moved_onto_slice", "m", "how far an end was moved onto what {hold} says; null without it"},
+        answer.moved_onto_slice);
+  visit({"around_cusp", "", "the number of the cusp, where asked for; else null"}, answer.around_cusp);
+  visit({"turns_around_cusps", "",
+         "with {around_cusp}: how often the actuated values go around each cusp of the slice, "
+         "counter-clockwise, seen at 32 poses a segment; else null"},
+        answer.turns_around_cusps);
+  visit(
+      {"encoder_noise", "rad, or share of the robot's size",
+       "of such a path: an estimate of the largest `tracking/encoder_noise` with which a tracker follows it; "
+       "else null"},
+      answer.encoder_noise);
+  visit({"loaded", "", "whether the map is that of {load}; null where no map was asked"},
+        answer.map ? std::make_optional(answer.loaded) : std::nullopt);
+  visit({"seconds", "s", "of the path in time; null where it is not timed"},
+        answer.timed && *answer.timed ? std::make_optional(answer.timed->seconds) : std::nullopt);
+  visit({"trajectory", "",
+         "where the limits of the joints are known: `message` (what is proved of it, or why there is none), "
+         "how many `waypoints`, `corners_rounded` and `stops`; else null"},
+        answer.timed);
+}
+
+/// Answers it.
+Outcome<PlanAnswer> answer(Session& session, const PlanQuestion& question, const Control& control = {});
+
+}  // namespace ask
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASK_PLAN_H

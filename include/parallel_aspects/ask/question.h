@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASK_QUESTION_H
+#define PARALLEL_ASPECTS_ASK_QUESTION_H
+
+#include "parallel_aspects/model/problems.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+// A question and an answer are structs, each with one list of its fields, a function
+//
+//   template <class Visit> void describe(Visit& visit, PlanQuestion& question) {
+//     visit({"policy", "stay|serial|any", "What the path may pass"}, question.policy);
+//     ...
+//   }
+//
+// Every face stands on these lists: options and their help, JSON, keywords and results of Python, and the
+// tables of the documentation come from them. A face is a `visit`, which has an operator() for each type that
+// a field may have, and knows nothing else of it.
+namespace parallel_aspects::ask {
+
+/// What all faces say of a field.
+struct Field {
+  std::string name;   ///< lower case, words joined by "_", as Python and messages write it
+  std::string value;  ///< of a question: what stands for a value in the help, as "N"; of an answer: its unit
+  std::string help;   ///< what it is; no full stop at the end
+};
+
+/// A whole number within this range.
+template <unsigned least, unsigned largest>
+struct Count {
+  unsigned value = least;
+  static constexpr unsigned lower = least, upper = largest;
+};
+
+/// What is wrong with a question.
+enum class ProblemKind {
+  missing,   ///< a field that is needed is not given
+  value,     ///< of one field
+  together,  ///< fields that exclude each other, or of which one needs another
+  robot,     ///< the robot has no answer of this kind
+  told,      ///< a sentence of a layer below, which names no field
+};
+
+/// Why a question is refused. Fields stand in braces, as "{policy} any needs a map": each face writes them in
+/// its own way, as the last step, and nobody reads the text.
+struct Problem {
+  ProblemKind kind = ProblemKind::told;  ///< see there
+  std::string field;                     ///< at fault; empty where it is no single one
+  std::string fault;                     ///< a clause; where there is no remedy, whole sentences
+  std::string remedy;                    ///< "give {policy} serial": what follows the semicolon
+
+  bool operator==(const Problem& other) const {
+    return kind == other.kind && field == other.field && fault == other.fault && remedy == other.remedy;
+  }
+};
+
+using ProblemList = std::vector<Problem>;  ///< all of them, not just the first
+
+/// How a face writes a field: "around_cusp" as "--around-cusp".
+using FieldName = std::function<std::string(const std::string& field)>;
+
+/// As Python and messages write it: as it is.
+std::string plain_name(const std::string& field);
+
+/// The text with its fields written so.
+std::string with_names(const std::string& text, const FieldName& name);
+
+/// "FAULT; REMEDY."
+std::string text_of(const Problem& problem, const FieldName& name);
+Problems texts_of(const ProblemList& problems, const FieldName& name);
+
+/// A sentence of a layer below.
+Problem told(std::string sentence);
+
+}  // namespace parallel_aspects::ask
+
+#endif  // PARALLEL_ASPECTS_ASK_QUESTION_H

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASK_SESSION_H
+#define PARALLEL_ASPECTS_ASK_SESSION_H
+
+#include "parallel_aspects/ask/question.h"
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/aspects/segment_certifier.h"
+#include "parallel_aspects/motion/plan_path.h"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects::ask {
+
+/// Hooks into the answering of a question. All may be left empty.
+struct Control {
+  std::function<void(const char* step, double share)> progress;  ///< what is being done, share done 0 to 1
+  std::function<void(const std::string& sentence)> note;         ///< what does not keep it from an answer
+  const std::atomic<bool>* cancelled = nullptr;                  ///< polled
+
+  MapControl during(const char* step) const;  ///< for one step
+};
+
+/// What came of a question.
+template <class Answer>
+struct Outcome {
+  MapStatus status = MapStatus::complete;  ///< of no other the answer is of meaning
+  ProblemList problems{};                  ///< why it is refused
+  Answer answer{};
+
+  explicit operator bool() const noexcept { return status == MapStatus::complete; }
+};
+
+/// Which map a question is asked of.
+struct MapSource {
+  std::optional<double> resolution{};  ///< longest edge of an undecided leaf of the base map [m or rad]
+  std::optional<MapSlice> hold{};      ///< the map of this slice
+  std::string load{};                  ///< file that may have it; empty for none
+  std::string save{};                  ///< file that it is written to, with its gates; empty for none
+
+  bool is_default() const noexcept { return !resolution && load.empty() && save.empty(); }
+};
+
+/// Acceleration limits of the actuated joints, where a question says nothing else.
+struct Acceleration {
+  JointVector values{};                        ///< [rad/s^2 or m/s^2]; empty for none
+  std::string remedy = "give {acceleration}";  ///< where there are none
+};
+
+/// A map, and whether a file had it.
+struct FoundMap {
+  std::shared_ptr<const AspectMap> map;  ///< null where refused or cancelled
+  bool loaded = false;
+};
+
+/// A robot that questions are asked of, and what its answers have in common. For one thread at a time.
+class Session {
+ public:
+  /// The robot is not null. `options`: of maps, where a question says nothing else.
+  explicit Session(std::shared_ptr<const Manipulator> robot, MapOptions options = {});
+
+  /// A map or a roadmap of this robot that is there already: it is asked where a question names no other.
+  void know(std::shared_ptr<const AspectMap> map);
+  void know(std::shared_ptr<const PoseRoadmap> roadmap);
+
+  void set_acceleration(Acceleration acceleration) { acceleration_ = std::move(acceleration); }
+  const Acceleration& acceleration() const noexcept { return acceleration_; }
+
+  const std::shared_ptr<const Manipulator>& robot() const noexcept { return robot_; }
+  const std::shared_ptr<const SegmentCertifier>& certifier() const noexcept { return certifier_; }
+  const std::shared_ptr<const AspectMap>& known_map() const noexcept { return known_map_; }
+
+  /// The slice that a question is about.
+  std::optional<MapSlice> slice_of(const MapSource& source) const;
+
+  /// The map of that source in these working modes, or in all: that which is known, that of the file where it
+  /// fits, else computed; it is saved where that is asked for.
+  FoundMap map(const MapSource& source, const std::vector<WorkingMode>& modes, const Control& control,
+               ProblemList& problems);
+
+  /// That which is known, or computed; null where refused or cancelled.
+  std::shared_ptr<const PoseRoadmap> roadmap(const RoadmapOptions& options, const Control& control,
+                                             ProblemList& problems);
+
+  /// The planner of a map; that of the map before is kept, as it knows the gates.
+  std::shared_ptr<PathPlanner> planner(const std::shared_ptr<const AspectMap>& map);
+
+ private:
+  FoundMap load_or_compute(const MapOptions& options, const std::string& file, const Control& control,
+                           ProblemList& problems);
+
+  std::shared_ptr<const Manipulator> robot_;
+  MapOptions options_;
+  Acceleration acceleration_;
+  std::shared_ptr<const SegmentCertifier> certifier_;
+  std::shared_ptr<const AspectMap> known_map_, planned_map_;  // the latter is that of the planner
+  std::shared_ptr<const PoseRoadmap> known_roadmap_;
+  std::shared_ptr<PathPlanner> planner_;
+};
+
+/// Writes a map with the gates between its aspects; false, with a problem unless cancelled, where it cannot.
+bool save_with_gates(const AspectMap& map, const std::string& file, const MapControl& control,
+                     ProblemList& problems);
+
+}  // namespace parallel_aspects::ask
+
+#endif  // PARALLEL_ASPECTS_ASK_SESSION_H

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ask/plan.h"
+
+#include "model/number_text.h"
+#include "motion/plan/end_aspects.h"
+
+#include "ask/cusp_path.h"
+#include "ask/path_ends.h"
+#include "ask/slice_ends.h"
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace parallel_aspects::ask {
+
+std::string between_points(const std::optional<MapSlice>& slice) {
+  return slice && slice->joint ? "the direction of the held anchor from the base, and phi, run straight"
+                               : "positions run straight; quaternions straight and normalised, the short way";
+}
+
+namespace {
+
+/// One question on its way to an answer: what is found is added to the answer, what is wrong to the problems.
+class Planning {
+ public:
+  Planning(Session& session, const PlanQuestion& question, const Control& control)
+      : session_(session), question_(question), control_(control) {}
+
+  Outcome<PlanAnswer> run() {
+    check();
+    if (problems_.empty()) plan();
+    if (problems_.empty() && !is_cancelled()) time();
+    if (!problems_.empty()) return {MapStatus::refused, std::move(problems_), {}};
+    if (is_cancelled()) return {MapStatus::cancelled, {}, {}};
+    return {MapStatus::complete, {}, std::move(answer_)};
+  }
+
+ private:
+  const Manipulator& robot() const { return *session_.robot(); }
+  bool is_cancelled() const { return parallel_aspects::is_cancelled(control_.during("")); }
+  bool has_map() const { return answer_.slice || robot().task_space() != TaskSpace::SE3; }
+
+  // Before anything starts.
+  void check() {
+    answer_.policy = question_.policy;
+    answer_.prefer = question_.prefer;
+    answer_.around_cusp = question_.around_cusp;
+    answer_.slice = session_.slice_of(question_.map);
+    from_ = path_end("start", robot(), question_.start, problems_);
+    if (question_.around_cusp)
+      check_cusp(robot(), question_, answer_.slice, problems_);
+    else
+      to_ = path_end("goal", robot(), question_.goal, problems_);
+    has_map() ? check_map() : check_roadmap();
+    check_timing();
+    if (problems_.empty() && answer_.slice) put_ends_onto_slice();
+  }
+
+  void put_ends_onto_slice() {
+    double moved = 0.0;
+    if (!question_.start.aspect)
+      moved = put_onto_slice(*answer_.slice, robot(), "start", from_.pose, problems_);
+    if (!question_.goal.aspect && !question_.around_cusp)
+      moved = std::max(moved, put_onto_slice(*answer_.slice, robot(), "goal", to_.pose, problems_));
+    answer_.moved_onto_slice = moved;
+  }
+
+  void check_map() {
+    if (question_.samples || question_.seed)
+      problems_.push_back({ProblemKind::together, "samples",
+                           "{samples} and {seed} are for roadmaps, in SE3 without {hold}", "leave them out"});
+  }
+
+  // With six degrees of freedom there is no map but a roadmap.
+  void check_roadmap() {
+    const std::string none = "in SE3 there is none";
+    if (question_.policy == PathPolicy::any)
+      problems_.push_back({ProblemKind::robot, "policy", "{policy} any needs a map, and " + none,
+                           "give {policy} serial, or {hold}"});
+    if (!question_.map.is_default())
+      problems_.push_back({ProblemKind::robot, "load",
+                           "{resolution}, {load} and {save} are for maps, and " + none, "leave them out"});
+    if (question_.start.aspect || question_.goal.aspect)
+      problems_.push_back({ProblemKind::robot, "start_aspect",
+                           "{start_aspect} and {goal_aspect} are for maps, and " + none, "give poses"});
+  }
+
+  void check_timing() {
+    if (question_.acceleration && !(question_.acceleration->array() > 0.0).all())
+      return problems_.push_back({ProblemKind::value, "acceleration",
+                                  "{acceleration} has a number that is not positive",
+                                  "give positive numbers"});
+    const bool is_fast = question_.prefer == PathPreference::fast;
+    const std::string needed_by = is_fast ? "{prefer} fast" : question_.timed_for;
+    const bool has_values = question_.acceleration || session_.acceleration().values.size() > 0;
+    acceleration_ = question_.acceleration.value_or(session_.acceleration().values);
+    if (question_.policy == PathPolicy::any && !needed_by.empty())
+      problems_.push_back({ProblemKind::together, "policy",
+                           needed_by +
+                               " needs a platform that is under control all the way, and {policy} any may "
+                               "pass det A = 0",
+                           "give {policy} serial"});
+    Problems missing = problems_of(robot(), acceleration_);
+    is_timed_ = missing.empty();
+    if (is_timed_ || (needed_by.empty() && !question_.acceleration)) return;
+    if (!has_values)
+      return problems_.push_back({ProblemKind::together, "acceleration",
+                                  needed_by + " needs acceleration limits", session_.acceleration().remedy});
+    for (std::string& each : missing) problems_.push_back(told(std::move(each)));
+  }
+
+  void plan() {
+    if (question_.around_cusp) return plan_around(session_, question_, from_, control_, answer_, problems_);
+    const bool has_aspect = question_.start.aspect || question_.goal.aspect;
+    if (!has_aspect && question_.map.save.empty())
+      if (auto none = excluded_end(*session_.certifier(), from_, to_)) {
+        answer_.path = std::move(*none);
+        return;
+      }
+    has_map() ? plan_in_map() : plan_over_roadmap();
+  }
+
+  /// With what tells how long a path takes, where that counts.
+  PathWish wish(const MapControl& control) const {
+    PathWish wish{question_.policy, question_.prefer, {}};
+    if (wish.prefer == PathPreference::fast)
+      wish.time = path_timer(*session_.certifier(), answer_.between, acceleration_, control);
+    return wish;
+  }
+
+  void plan_in_map() {
+    const FoundMap found = session_.map(question_.map, {}, control_, problems_);
+    if (!found.map) return;
+    place_in_aspect("start", *found.map, question_.start, from_, problems_);
+    place_in_aspect("goal", *found.map, question_.goal, to_, problems_);
+    if (!problems_.empty()) return;
+    answer_.map = found.map;
+    answer_.loaded = found.loaded;
+    const auto planner = session_.planner(found.map);
+    answer_.between = [planner](const Pose& a, const Pose& b, double t) { return planner->between(a, b, t); };
+    const MapControl control = control_.during("Looking for gates and a path.");
+    answer_.path = planner->plan(from_, to_, wish(control), control);
+  }
+
+  void plan_over_roadmap() {
+    RoadmapOptions options;
+    if (question_.samples) options.samples = question_.samples->value;
+    if (question_.seed) options.seed = question_.seed->value;
+    for (const std::optional<WorkingMode>& mode : {from_.mode, to_.mode})
+      if (mode && std::find(options.modes.begin(), options.modes.end(), *mode) == options.modes.end())
+        options.modes.push_back(*mode);
+    const auto roadmap = session_.roadmap(options, control_, problems_);
+    if (!roadmap) return;
+    const MapControl control = control_.during("Looking for gates and a path.");
+    answer_.path = plan_in_roadmap(*roadmap, from_, to_, wish(control), control);
+  }
+
+  void time() {
+    note_turns();
+    if (is_timed_ && answer_.path)
+      answer_.timed = time_path(*session_.certifier(), answer_.path, answer_.between, acceleration_,
+                                control_.during("Timing the path."));
+  }
+
+  // Which actuated joints arrive whole turns from the values that were asked for.
+  void note_turns() {
+    if (!to_.q || !answer_.path) return;
+    for (std::size_t j = 0; j < robot().leg_count(); ++j) {
+      const Leg& leg = robot().leg(j);
+      const double value = answer_.path.points.back().q[static_cast<Eigen::Index>(j)],
+                   asked = (*to_.q)[static_cast<Eigen::Index>(j)];
+      if (leg.actuated_by_angle() && std::abs(value - asked) > EIGEN_PI)
+        answer_.remarks.push_back("'" + leg.actuated_joint + "' arrives at " + number_text(value) +
+                                  ", whole turns from what {goal_joints} says.");
+    }
+  }
+
+  Session& session_;
+  const PlanQuestion& question_;
+  const Control& control_;
+  PathEnd from_, to_;
+  JointVector acceleration_;
+  bool is_timed_ = false;
+  PlanAnswer answer_;
+  ProblemList problems_;
+};
+
+}  // namespace
+
+Outcome<PlanAnswer> answer(Session& session, const PlanQuestion& question, const Control& control) {
+  return Planning(session, question, control).run();
+}
+
+}  // namespace parallel_aspects::ask

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ask/session.h"
+
+#include "parallel_aspects/aspects/aspect_graph.h"
+#include "parallel_aspects/aspects/map_file.h"
+
+#include <utility>
+
+namespace parallel_aspects::ask {
+
+MapControl Control::during(const char* step) const {
+  MapControl control;
+  control.cancelled = cancelled;
+  if (progress) control.progress = [tell = progress, step](double share) { tell(step, share); };
+  return control;
+}
+
+bool save_with_gates(const AspectMap& map, const std::string& file, const MapControl& control,
+                     ProblemList& problems) {
+  if (!compute_aspect_graph(map, control)) return false;
+  const SaveResult result = save_map(map, file);
+  if (!result) problems.push_back(told(result.message));
+  return result.saved;
+}
+
+Session::Session(std::shared_ptr<const Manipulator> robot, MapOptions options)
+    : robot_(std::move(robot)),
+      options_(std::move(options)),
+      certifier_(std::make_shared<const SegmentCertifier>(robot_)) {}
+
+void Session::know(std::shared_ptr<const AspectMap> map) { known_map_ = std::move(map); }
+
+void Session::know(std::shared_ptr<const PoseRoadmap> roadmap) { known_roadmap_ = std::move(roadmap); }
+
+std::optional<MapSlice> Session::slice_of(const MapSource& source) const {
+  if (source.hold) return source.hold;
+  return known_map_ && source.is_default() ? known_map_->slice() : options_.slice;
+}
+
+FoundMap Session::load_or_compute(const MapOptions& options, const std::string& file, const Control& control,
+                                  ProblemList& problems) {
+  if (!file.empty()) {
+    const MapResult loaded = load_map(robot_, options, file);
+    if (loaded) return {loaded.map, true};
+    if (control.note) control.note(loaded.message);
+  }
+  const MapResult computed = compute_aspect_map(robot_, options, control.during("Computing a map."));
+  if (computed.status == MapStatus::refused) problems.push_back(told(computed.message));
+  return {computed.map, false};
+}
+
+FoundMap Session::map(const MapSource& source, const std::vector<WorkingMode>& modes, const Control& control,
+                      ProblemList& problems) {
+  if (known_map_ && source.is_default() && !source.hold) return {known_map_, false};
+  MapOptions options = options_;
+  if (source.hold) {  // region and resolution are those of all poses
+    options.region.reset();
+    options.slice = source.hold;
+  }
+  if (source.hold || source.resolution) options.resolution = source.resolution;
+  if (!modes.empty()) options.modes = modes;
+  const FoundMap found = load_or_compute(options, source.load, control, problems);
+  if (!found.map || source.save.empty()) return found;
+  const bool saved = save_with_gates(*found.map, source.save, control.during("Looking for gates."), problems);
+  return saved ? found : FoundMap{};
+}
+
+std::shared_ptr<const PoseRoadmap> Session::roadmap(const RoadmapOptions& options, const Control& control,
+                                                    ProblemList& problems) {
+  if (known_roadmap_) return known_roadmap_;
+  const RoadmapResult result = compute_pose_roadmap(robot_, options, control.during("Computing a roadmap."));
+  if (result.status == MapStatus::refused) problems.push_back(told(result.message));
+  return result.roadmap;
+}
+
+std::shared_ptr<PathPlanner> Session::planner(const std::shared_ptr<const AspectMap>& map) {
+  if (planner_ && planned_map_ == map) return planner_;
+  planned_map_ = map;
+  planner_ = std::make_shared<PathPlanner>(map);
+  return planner_;
+}
+
+}  // namespace parallel_aspects::ask

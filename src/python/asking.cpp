@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "python/asking.h"
+
+#include "tools/arguments.h"
+#include "tools/report/basins_report.h"
+#include "tools/report/slice_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <pybind11/stl.h>
+
+namespace parallel_aspects::python {
+namespace {
+
+namespace py = pybind11;
+
+Array array_named(const std::string& name, const py::object& given) {
+  Array array = Array::ensure(given);
+  if (array) return array;
+  PyErr_Clear();
+  throw InvalidDescription(
+      {name + " is no array of numbers; give rows of the same length, of finite numbers."});
+}
+
+std::string text_of_any(const py::object& given) { return py::repr(given).cast<std::string>(); }
+
+/// (1, -1) as "(+,-)"; anything else as a text that is refused.
+std::string signs_text(const py::object& given) {
+  if (py::isinstance<py::str>(given) || !py::isinstance<py::iterable>(given)) return py::str(given);
+  std::string text;
+  for (const py::handle each : given) {
+    const std::string sign = py::str(each);
+    text += (text.empty() ? "(" : ",") + std::string(sign == "1" ? "+" : sign == "-1" ? "-" : "?");
+  }
+  return text + ")";
+}
+
+}  // namespace
+
+void KeywordReader::require_known() const {
+  for (const auto& [key, value] : keywords_) {
+    const std::string name = py::str(key);
+    if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
+    std::string all;
+    for (const std::string& each : known_) all += (all.empty() ? "" : ", ") + each;
+    throw py::type_error("There is no keyword '" + name + "'; there are " + all + ".");
+  }
+}
+
+void KeywordReader::read(const std::string& /*name*/, const Object& given, std::string& value) {
+  value = py::module::import("os").attr("fspath")(given).cast<std::string>();
+}
+
+void KeywordReader::read(const std::string& name, const Object& given, double& value) {
+  value = PyFloat_AsDouble(given.ptr());
+  const bool is_number = PyErr_Occurred() == nullptr;
+  PyErr_Clear();
+  if (!is_number || !std::isfinite(value) || !(value > 0.0))
+    throw InvalidDescription({name + " is " + text_of_any(given) + "; give a positive number."});
+}
+
+void KeywordReader::read(const std::string& name, const Object& given, Pose& value) {
+  value = pose_of(name, robot_, array_named(name, given));
+}
+
+void KeywordReader::read(const std::string& name, const Object& given, WorkingMode& value) {
+  value = mode_of(name, robot_, signs_text(given));
+}
+
+void KeywordReader::read(const std::string& name, const Object& given, JointVector& value) {
+  const Array array = array_named(name, given);
+  const std::vector<JointVector> rows = joints_of(name, robot_, array);
+  if (array.ndim() != 1) throw InvalidDescription({name + " has two axes; give one value a leg."});
+  value = rows.front();
+}
+
+void KeywordReader::read(const std::string& name, const Object& given, MapSlice& value) {
+  Problems problems;
+  if (py::isinstance<py::str>(given)) {
+    value = tools::parse_slice(name, robot_, py::str(given), problems);
+    return refuse_any(problems);
+  }
+  std::vector<HeldCoordinate> held;
+  try {
+    for (const auto& [coordinate, number] : py::dict(given))
+      held.push_back({py::str(coordinate), number.cast<double>()});
+  } catch (const std::exception&) {  // not a mapping, or not of numbers
+    throw InvalidDescription({name + " is " + text_of_any(given) +
+                              "; give what is held with its value, such as {\"z\": 1} or \"z=1\"."});
+  }
+  value = make_slice(robot_, held, problems);
+  refuse_any(problems);
+}
+
+unsigned KeywordReader::whole_number(const std::string& name, const Object& given, unsigned least,
+                                     unsigned largest) {
+  const long long value = PyIndex_Check(given.ptr()) != 0 ? PyLong_AsLongLong(given.ptr()) : -1;
+  PyErr_Clear();
+  if (value >= least && value <= largest) return static_cast<unsigned>(value);
+  throw InvalidDescription({name + " is " + text_of_any(given) + "; give a whole number from " +
+                            std::to_string(least) + " to " + std::to_string(largest) + "."});
+}
+
+void DictWriter::operator()(const ask::Field& /*field*/, const std::vector<PathPoint>& points) {
+  std::vector<Pose> poses;
+  std::vector<TaskVector> q;
+  py::list modes;
+  for (const PathPoint& point : points) {
+    poses.push_back(point.pose);
+    q.push_back(point.q);
+    modes.append(to_string(point.mode));
+  }
+  dict_["poses"] = array_of(robot_.task_space(), poses);
+  dict_["q"] = array_of(q, robot_.leg_count());
+  dict_["modes"] = py::tuple(modes);
+}
+
+py::object DictWriter::object_of_value(const std::vector<int>& values) const {
+  return py::tuple(py::cast(values));
+}
+
+py::object DictWriter::object_of_value(const WorkingMode& mode) const { return py::str(to_string(mode)); }
+
+py::object DictWriter::object_of_value(const Pose& pose) const { return array_of(robot_.task_space(), pose); }
+
+py::object DictWriter::object_of_value(const std::vector<Pose>& poses) const {
+  return array_of(robot_.task_space(), poses);
+}
+
+py::object DictWriter::object_of_value(const ask::IndexBottleneck& bottleneck) const {
+  return object_of(tools::json_bottleneck(bottleneck.kind, bottleneck.found));
+}
+
+py::object DictWriter::object_of_value(const MapSlice& slice) const {
+  return object_of(tools::json_slice(slice));
+}
+
+py::object DictWriter::object_of_value(const std::vector<PathCrossing>& crossings) const {
+  py::list list;
+  for (const PathCrossing& each : crossings) {
+    const bool serial = each.kind == Crossing::serial;
+    const auto aspect = [](int id) { return id == 0 ? py::object(py::none()) : py::object(py::int_(id)); };
+    list.append(py::dict(
+        py::arg("after_point") = each.point, py::arg("before_point") = each.behind,
+        py::arg("crossing") = name(each.kind), py::arg("control_lost") = !serial,
+        py::arg("leg") = serial ? py::object(py::str(robot_.leg(each.leg).name)) : py::object(py::none()),
+        py::arg("from_aspect") = aspect(each.from), py::arg("to_aspect") = aspect(each.to)));
+  }
+  return std::move(list);
+}
+
+py::object DictWriter::object_of_value(const TimedPath& timed) const {
+  std::vector<double> times;
+  std::vector<TaskVector> q, velocities;
+  for (const JointWaypoint& waypoint : timed.waypoints) {
+    times.push_back(waypoint.time);
+    q.push_back(waypoint.q);
+    velocities.push_back(waypoint.velocity);
+  }
+  return py::dict(py::arg("message") = timed.message, py::arg("times") = array_of(times),
+                  py::arg("q") = array_of(q, robot_.leg_count()),
+                  py::arg("velocities") = array_of(velocities, robot_.leg_count()),
+                  py::arg("corners_rounded") = timed.rounded, py::arg("stops") = timed.stops);
+}
+
+void add_remarks(const std::vector<std::string>& remarks, py::dict& answer) {
+  for (const std::string& remark : remarks)
+    answer["reason"] =
+        py::str(answer["reason"].cast<std::string>() + " " + ask::with_names(remark, ask::plain_name));
+}
+
+void warn_of(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes)
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+}  // namespace parallel_aspects::python

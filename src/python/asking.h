@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_PYTHON_ASKING_H
+#define PARALLEL_ASPECTS_PYTHON_ASKING_H
+
+#include "parallel_aspects/ask/connect.h"
+#include "parallel_aspects/ask/question.h"
+#include "parallel_aspects/ask/session.h"
+#include "parallel_aspects/motion/time_path.h"
+
+#include "python/arrays.h"
+#include "python/long_call.h"
+#include "python/python_errors.h"
+#include <optional>
+#include <pybind11/pybind11.h>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// Questions as keywords, and answers as dictionaries: by their lists of fields alone.
+namespace parallel_aspects::python {
+
+/// Reads the fields of a question. Throws `InvalidDescription` where a value is none of its kind.
+class KeywordReader {
+ public:
+  KeywordReader(const Manipulator& robot, const pybind11::dict& keywords)
+      : robot_(robot), keywords_(keywords) {}
+
+  template <class Value>
+  void operator()(const ask::Field& field, Value& value) {
+    known_.push_back(field.name);
+    const pybind11::str key(field.name);
+    if (!keywords_.contains(key)) return;
+    const pybind11::object given = keywords_[key];
+    if (!given.is_none()) read(field.name, given, value);
+  }
+
+  /// Throws a TypeError for the first keyword that is no field.
+  void require_known() const;
+
+ private:
+  using Object = pybind11::object;
+
+  template <class Value>
+  void read(const std::string& name, const Object& given, std::optional<Value>& value) {
+    read(name, given, value.emplace());
+  }
+  template <unsigned least, unsigned largest>
+  void read(const std::string& name, const Object& given, ask::Count<least, largest>& value) {
+    value.value = whole_number(name, given, least, largest);
+  }
+  template <class Choice, class = std::enable_if_t<std::is_enum_v<Choice>>>
+  void read(const std::string& field, const Object& given, Choice& value) {
+    const std::string text = pybind11::str(given);
+    std::string names;
+    for (const Choice each : choices(Choice{})) {
+      if (text == name(each)) value = each;
+      if (text == name(each)) return;
+      names += (names.empty() ? "" : ", ") + std::string(name(each));
+    }
+    refuse_any({field + " is '" + text + "'; give one of " + names + "."});
+  }
+  void read(const std::string& name, const Object& given, std::string& value);
+  void read(const std::string& name, const Object& given, double& value);
+  void read(const std::string& name, const Object& given, Pose& value);
+  void read(const std::string& name, const Object& given, WorkingMode& value);
+  void read(const std::string& name, const Object& given, JointVector& value);
+  void read(const std::string& name, const Object& given, MapSlice& value);
+  static unsigned whole_number(const std::string& name, const Object& given, unsigned least,
+                               unsigned largest);
+
+  const Manipulator& robot_;
+  const pybind11::dict& keywords_;
+  std::vector<std::string> known_;
+};
+
+/// Writes the fields of an answer. The points of a path are arrays of their own, `poses`, `q` and `modes`.
+class DictWriter {
+ public:
+  explicit DictWriter(const Manipulator& robot) : robot_(robot) {}
+
+  template <class Value>
+  void operator()(const ask::Field& field, const Value& value) {
+    dict_[pybind11::str(field.name)] = object_of_value(value);
+  }
+  void operator()(const ask::Field& field, const std::vector<PathPoint>& points);
+
+  pybind11::dict take() { return std::move(dict_); }
+
+ private:
+  template <class Value>
+  pybind11::object object_of_value(const std::optional<Value>& value) const {
+    return value ? object_of_value(*value) : pybind11::none();
+  }
+  template <class Choice, class = std::enable_if_t<std::is_enum_v<Choice>>>
+  pybind11::object object_of_value(Choice value, int /*tag*/ = 0) const {
+    return pybind11::str(name(value));
+  }
+  template <unsigned least, unsigned largest>
+  pybind11::object object_of_value(ask::Count<least, largest> value) const {
+    return pybind11::int_(value.value);
+  }
+  /// Of structs that have lists of fields of their own.
+  template <class Described>
+  pybind11::object object_of_value(const std::vector<Described>& list) const {
+    pybind11::list result;
+    for (const Described& each : list) {
+      DictWriter writer(robot_);
+      describe(writer, each);
+      result.append(writer.take());
+    }
+    return std::move(result);
+  }
+  pybind11::object object_of_value(bool value) const { return pybind11::bool_(value); }
+  pybind11::object object_of_value(double value) const { return pybind11::float_(value); }
+  pybind11::object object_of_value(const std::string& value) const { return pybind11::str(value); }
+  pybind11::object object_of_value(const std::vector<int>& values) const;
+  pybind11::object object_of_value(const WorkingMode& mode) const;
+  pybind11::object object_of_value(const Pose& pose) const;
+  pybind11::object object_of_value(const std::vector<Pose>& poses) const;
+  pybind11::object object_of_value(const ask::IndexBottleneck& bottleneck) const;
+  pybind11::object object_of_value(const MapSlice& slice) const;
+  pybind11::object object_of_value(const std::vector<PathCrossing>& crossings) const;
+  pybind11::object object_of_value(const TimedPath& timed) const;
+
+  const Manipulator& robot_;
+  pybind11::dict dict_;
+};
+
+/// Lists fields as (name, value, help).
+class FieldLister {
+ public:
+  template <class Value>
+  void operator()(const ask::Field& field, const Value& /*value*/) {
+    fields_.append(
+        pybind11::make_tuple(field.name, field.value, ask::with_names(field.help, ask::plain_name)));
+  }
+  pybind11::list take() { return std::move(fields_); }
+
+ private:
+  pybind11::list fields_;
+};
+
+/// The fields of a question or an answer.
+template <class Described>
+pybind11::list fields_of() {
+  FieldLister lister;
+  Described described;
+  describe(lister, described);
+  return lister.take();
+}
+
+/// Warns of sentences that do not keep a question from an answer.
+void warn_of(const std::vector<std::string>& notes);
+
+/// Adds them to the reason, fields as keywords.
+void add_remarks(const std::vector<std::string>& remarks, pybind11::dict& answer);
+
+/// Asks in a thread of its own. Throws `InvalidDescription`.
+template <class Question>
+pybind11::dict ask_session(ask::Session& session, const pybind11::dict& keywords,
+                           const pybind11::object& progress) {
+  Question question;
+  KeywordReader reader(*session.robot(), keywords);
+  describe(reader, question);
+  reader.require_known();
+  std::vector<std::string> notes;
+  auto outcome = run_long(progress, [&](const MapControl& called) {
+    ask::Control control;
+    control.cancelled = called.cancelled;
+    control.progress = [&called](const char* /*step*/, double share) { called.progress(share); };
+    control.note = [&notes](const std::string& sentence) { notes.push_back(sentence); };
+    return answer(session, question, control);
+  });
+  warn_of(notes);
+  if (!outcome) throw InvalidDescription(texts_of(outcome.problems, ask::plain_name));
+  DictWriter writer(*session.robot());
+  describe(writer, std::as_const(outcome.answer));
+  pybind11::dict result = writer.take();
+  add_remarks(outcome.answer.remarks, result);
+  return result;
+}
+
+}  // namespace parallel_aspects::python
+
+#endif  // PARALLEL_ASPECTS_PYTHON_ASKING_H

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_QUESTION_OPTIONS_H
+#define PARALLEL_ASPECTS_TOOLS_QUESTION_OPTIONS_H
+
+#include "parallel_aspects/ask/question.h"
+#include "parallel_aspects/ask/session.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+#include "parallel_aspects/model/problems.h"
+#include "tools/computation.h"
+#include "tools/numbers.h"
+#include "tools/report/option_name.h"
+#include "tools/subcommands.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects::tools {
+
+/// The texts of the options of a question, by field; empty where not given.
+using QuestionTexts = std::map<std::string, std::string>;
+
+/// Lists the fields of a question as options, which fill `texts`.
+class OptionList {
+ public:
+  explicit OptionList(QuestionTexts& texts) : texts_(texts) {}
+
+  template <class Value>
+  void operator()(const ask::Field& field, const Value& /*value*/) {
+    options_.push_back({option_name(field.name), field.value, ask::with_names(field.help, option_name),
+                        &texts_[field.name]});
+  }
+
+  const std::vector<Option>& options() const noexcept { return options_; }
+
+ private:
+  QuestionTexts& texts_;
+  std::vector<Option> options_;
+};
+
+/// The options of a question.
+template <class Question>
+std::vector<Option> question_options(QuestionTexts& texts) {
+  OptionList list(texts);
+  Question question;
+  describe(list, question);
+  return list.options();
+}
+
+/// Reads the fields of a question from their texts; what is wrong with these is added to the problems.
+class TextReader {
+ public:
+  TextReader(const Manipulator& robot, const QuestionTexts& texts, Problems& problems)
+      : robot_(robot), texts_(texts), problems_(problems) {}
+
+  template <class Value>
+  void operator()(const ask::Field& field, Value& value) {
+    const auto text = texts_.find(field.name);
+    if (text != texts_.end() && !text->second.empty()) read(option_name(field.name), text->second, value);
+  }
+
+ private:
+  template <class Value>
+  void read(const std::string& option, const std::string& text, std::optional<Value>& value) {
+    read(option, text, value.emplace());
+  }
+  template <unsigned least, unsigned largest>
+  void read(const std::string& option, const std::string& text, ask::Count<least, largest>& value) {
+    value.value = parse_count(option, text, largest, problems_, least);
+  }
+  template <class Choice, class = std::enable_if_t<std::is_enum_v<Choice>>>
+  void read(const std::string& option, const std::string& text, Choice& value) {
+    std::string names;
+    for (const Choice each : choices(Choice{})) {
+      if (text == name(each)) value = each;
+      if (text == name(each)) return;
+      names += (names.empty() ? "" : ", ") + std::string(name(each));
+    }
+    problems_.push_back(option + " is '" + text + "'; give one of " + names + ".");
+  }
+  void read(const std::string& option, const std::string& text, std::string& value);
+  void read(const std::string& option, const std::string& text, double& value);
+  void read(const std::string& option, const std::string& text, Pose& value);
+  void read(const std::string& option, const std::string& text, WorkingMode& value);
+  void read(const std::string& option, const std::string& text, JointVector& value);
+  void read(const std::string& option, const std::string& text, MapSlice& value);
+
+  const Manipulator& robot_;
+  const QuestionTexts& texts_;
+  Problems& problems_;
+};
+
+/// What is asked.
+template <class Question>
+Question read_question(const Manipulator& robot, const QuestionTexts& texts, Problems& problems) {
+  Question question;
+  TextReader reader(robot, texts, problems);
+  describe(reader, question);
+  return question;
+}
+
+/// Ends with an answer by Ctrl-C, and shows its progress on a terminal; notes are messages.
+class ShownAnswering {
+ public:
+  explicit ShownAnswering(const Surroundings& surroundings);
+  const ask::Control& control() const noexcept { return control_; }
+
+ private:
+  ShownComputation shown_;
+  ask::Control control_;
+};
+
+/// Throws `UsageError` where a field is missing, else `InvalidDescription`.
+[[noreturn]] void refuse(const ask::ProblemList& problems);
+
+/// The answer. Throws `Interrupted`, or what `refuse` does.
+template <class Answer>
+Answer required(ask::Outcome<Answer> outcome) {
+  if (outcome.status == MapStatus::cancelled) throw Interrupted{};
+  if (outcome.status == MapStatus::refused) refuse(outcome.problems);
+  return std::move(outcome.answer);
+}
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_QUESTION_OPTIONS_H

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/report/answer_json.h"
+
+#include "tools/report/basins_report.h"
+#include "tools/report/report.h"
+#include "tools/report/slice_report.h"
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+/// A roadmap does not number aspects.
+json aspect_or_null(int id) { return id == 0 ? json() : json(id); }
+
+}  // namespace
+
+json JsonWriter::json_of(double value) const { return json_number(value); }
+
+json JsonWriter::json_of(const MapSlice& slice) const { return json_slice(slice); }
+
+json JsonWriter::json_of(const Pose& pose) const { return json_pose(robot_.task_space(), pose); }
+
+json JsonWriter::json_of(const std::vector<Pose>& poses) const {
+  json list = json::array();
+  for (const Pose& pose : poses) list.push_back(json_of(pose));
+  return list;
+}
+
+json JsonWriter::json_of(const ask::IndexBottleneck& bottleneck) const {
+  return json_bottleneck(bottleneck.kind, bottleneck.found);
+}
+
+json JsonWriter::json_of(const std::vector<PathPoint>& points) const {
+  json list = json::array();
+  for (const PathPoint& point : points)
+    list.push_back({{"pose", json_pose(robot_.task_space(), point.pose)},
+                    {"working_mode", point.mode.signs()},
+                    {"actuated", json_numbers(point.q)}});
+  return list;
+}
+
+json JsonWriter::json_of(const std::vector<PathCrossing>& crossings) const {
+  json list = json::array();
+  for (const PathCrossing& crossing : crossings) {
+    const bool serial = crossing.kind == Crossing::serial;
+    list.push_back({{"after_point", crossing.point},
+                    {"before_point", crossing.behind},
+                    {"crossing", name(crossing.kind)},
+                    {"control_lost", !serial},
+                    {"leg", serial ? json(robot_.leg(crossing.leg).name) : json(nullptr)},
+                    {"from_aspect", aspect_or_null(crossing.from)},
+                    {"to_aspect", aspect_or_null(crossing.to)}});
+  }
+  return list;
+}
+
+json JsonWriter::json_of(const TimedPath& timed) const {
+  return {{"message", timed.message},
+          {"waypoints", timed.waypoints.size()},
+          {"corners_rounded", timed.rounded},
+          {"stops", timed.stops}};
+}
+
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_ANSWER_JSON_H
+#define PARALLEL_ASPECTS_TOOLS_REPORT_ANSWER_JSON_H
+
+#include "parallel_aspects/ask/connect.h"
+#include "parallel_aspects/ask/question.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/motion/plan_path.h"
+#include "parallel_aspects/motion/time_path.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects::tools {
+
+/// Writes the fields of an answer as JSON.
+class JsonWriter {
+ public:
+  explicit JsonWriter(const Manipulator& robot) : robot_(robot) {}
+
+  template <class Value>
+  void operator()(const ask::Field& field, const Value& value) {
+    json_[field.name] = json_of(value);
+  }
+
+  nlohmann::json take() { return std::move(json_); }
+
+ private:
+  template <class Value>
+  nlohmann::json json_of(const std::optional<Value>& value) const {
+    return value ? json_of(*value) : nlohmann::json();
+  }
+  template <class Choice, class = std::enable_if_t<std::is_enum_v<Choice>>>
+  nlohmann::json json_of(Choice value, int /*tag*/ = 0) const {
+    return name(value);
+  }
+  template <unsigned least, unsigned largest>
+  nlohmann::json json_of(ask::Count<least, largest> value) const {
+    return value.value;
+  }
+  /// Of structs that have lists of fields of their own.
+  template <class Described>
+  nlohmann::json json_of(const std::vector<Described>& list) const {
+    nlohmann::json array = nlohmann::json::array();
+    for (const Described& each : list) {
+      JsonWriter writer(robot_);
+      describe(writer, each);
+      array.push_back(writer.take());
+    }
+    return array;
+  }
+  nlohmann::json json_of(bool value) const { return value; }
+  nlohmann::json json_of(double value) const;
+  nlohmann::json json_of(const std::string& value) const { return value; }
+  nlohmann::json json_of(const std::vector<int>& values) const { return values; }
+  nlohmann::json json_of(const MapSlice& slice) const;
+  nlohmann::json json_of(const WorkingMode& mode) const { return mode.signs(); }
+  nlohmann::json json_of(const Pose& pose) const;
+  nlohmann::json json_of(const std::vector<Pose>& poses) const;
+  nlohmann::json json_of(const ask::IndexBottleneck& bottleneck) const;
+  nlohmann::json json_of(const std::vector<PathPoint>& points) const;
+  nlohmann::json json_of(const std::vector<PathCrossing>& crossings) const;
+  nlohmann::json json_of(const TimedPath& timed) const;
+
+  const Manipulator& robot_;
+  nlohmann::json json_ = nlohmann::json::object();
+};
+
+/// The fields of an answer.
+template <class Answer>
+nlohmann::json answer_json(const Manipulator& robot, const Answer& answer) {
+  JsonWriter writer(robot);
+  describe(writer, answer);
+  return writer.take();
+}
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_ANSWER_JSON_H

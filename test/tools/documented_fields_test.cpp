@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tables of docs/command.md are the lists of fields.
+#include "parallel_aspects/ask/connect.h"
+#include "parallel_aspects/ask/plan.h"
+#include "tools/report/option_name.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace parallel_aspects::tools {
+namespace {
+
+/// A row for each field.
+class TableOfFields {
+ public:
+  template <class Value>
+  void operator()(const ask::Field& field, const Value& /*value*/) {
+    const std::string unit = field.value.empty() ? "" : " [" + field.value + "]";
+    rows_ += "| `" + field.name + "` | " + ask::with_names(field.help, in_code) + unit + " |\n";
+  }
+  const std::string& rows() const noexcept { return rows_; }
+
+ private:
+  static std::string in_code(const std::string& field) { return "`" + option_name(field) + "`"; }
+
+  std::string rows_ = "| field | meaning |\n|---|---|\n";
+};
+
+std::string text_of_docs(const std::string& file) {
+  std::ifstream stream(std::string(PARALLEL_ASPECTS_SOURCE_DIR) + "/docs/" + file);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+template <class Answer>
+void expect_documented() {
+  TableOfFields table;
+  describe(table, std::as_const(*std::make_unique<Answer>()));
+  EXPECT_NE(text_of_docs("command.md").find(table.rows()), std::string::npos)
+      << "docs/command.md has not this table:\n"
+      << table.rows();
+}
+
+TEST(DocumentedFields, AreThoseOfTheAnswers) {
+  expect_documented<ask::PlanAnswer>();
+  expect_documented<ask::ConnectAnswer>();
+  expect_documented<ask::ConnectionInMode>();
+}
+
+}  // namespace
+}  // namespace parallel_aspects::tools
