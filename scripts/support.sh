@@ -154,6 +154,20 @@ build_targets() {
   return "${status}"
 }
 
+# build_aside COMMIT TARGET...: the core of another commit, its source in ${aside}/source and its build in ${aside}/build, as
+# `configure` builds this tree, but for warnings; with what `build_options` has besides.
+aside="${root}/build/compare"
+build_aside() {
+  local commit="$1"
+  shift
+  if [ ! -d "${aside}/source" ]; then git -C "${root}" worktree add --detach "${aside}/source" "${commit}" >&2; fi
+  git -C "${aside}/source" checkout -q --detach "${commit}"
+  cmake -S "${aside}/source" -B "${aside}/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DPARALLEL_ASPECTS_ROS=OFF \
+    -DBUILD_SHARED_LIBS=ON -DPARALLEL_ASPECTS_PRECOMPILED_HEADERS=tests "${cmake_options[@]}" "${by_room[@]}" \
+    "${build_options[@]}" >&2
+  cmake --build "${aside}/build" --target "$@" >&2
+}
+
 # build_benchmark NAME: a program of benchmark/, with what `build_options` has besides.
 build_benchmark() {
   build_options+=(-DPARALLEL_ASPECTS_BENCHMARKS=ON)
