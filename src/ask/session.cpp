@@ -60,6 +60,7 @@ FoundMap Session::map(const MapSource& source, const std::vector<WorkingMode>& m
   if (source.hold || source.resolution) options.resolution = source.resolution;
   if (!modes.empty()) options.modes = modes;
   const FoundMap found = load_or_compute(options, source.load, control, problems);
+  if (source.is_default() && !source.hold && modes.empty()) known_map_ = found.map;  // for the next question
   if (!found.map || source.save.empty()) return found;
   const bool saved = save_with_gates(*found.map, source.save, control.during("Looking for gates."), problems);
   return saved ? found : FoundMap{};

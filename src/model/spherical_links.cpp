@@ -43,10 +43,10 @@ bool moves_on_unit_sphere(const Manipulator& manipulator) noexcept {
 
 double angle_of_chord(double chord) noexcept { return 2.0 * std::asin(std::clamp(0.5 * chord, 0.0, 1.0)); }
 
-std::string distance_text(const Manipulator& manipulator, double length) {
-  if (!moves_on_unit_sphere(manipulator) || !std::isfinite(length)) return number_text(length) + " m";
+std::string distance_text(const Manipulator& manipulator, double length, int digits) {
+  if (!moves_on_unit_sphere(manipulator) || !std::isfinite(length)) return number_text(length, digits) + " m";
   const double angle = angle_of_chord(length);
-  return number_text(angle * 180.0 / EIGEN_PI) + " deg (" + number_text(angle) + " rad)";
+  return number_text(angle * 180.0 / EIGEN_PI, digits) + " deg (" + number_text(angle, digits) + " rad)";
 }
 
 }  // namespace parallel_aspects

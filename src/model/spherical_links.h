@@ -27,7 +27,7 @@ double angle_of_chord(double chord) noexcept;
 
 /// A distance between configurations with its unit: "0.1 m" or, on the sphere, where an angle says more than
 /// a length, "5.73 deg (0.1 rad)".
-std::string distance_text(const Manipulator& manipulator, double length);
+std::string distance_text(const Manipulator& manipulator, double length, int digits = 6);
 
 }  // namespace parallel_aspects
 

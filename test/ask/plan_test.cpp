@@ -138,6 +138,15 @@ TEST(Session, AsksTheMapThatIsKnown) {
   EXPECT_EQ(computed.answer.path.answer, known.answer.path.answer);
 }
 
+TEST(Session, KeepsTheMapThatItComputed) {
+  Session session(test::five_bar());
+  const auto first = answer(session, between(left, right)), second = answer(session, between(right, left));
+  ASSERT_TRUE(first);
+  ASSERT_TRUE(second);
+  EXPECT_NE(first.answer.map, nullptr);
+  EXPECT_EQ(first.answer.map, second.answer.map);
+}
+
 TEST(Session, EndsWhereItIsCancelled) {
   const std::atomic<bool> cancelled{true};
   Control control;

@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/probe/probe_solver.h"
 
+#include "model/spherical_links.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "ros/messages/not_a_number.h"
 #include "ros/messages/roadmap_component.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
 
-std::string with_unit(double metres) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g m", metres);
-  return text.data();
+std::string with_unit(const Manipulator& manipulator, double length) {
+  constexpr int digits = 3;
+  return distance_text(manipulator, length, digits);
 }
 
 // Why the wanted pose is not in reach.
@@ -41,7 +39,7 @@ Status status_of(const Manipulator& robot, const ProbeFinding& finding) {
                        reason_of(robot, finding.question) + "; no pose of this working mode was found.");
   if (finding.reached->distance == 0.0) return {};
   return make_status(Status::NO_SOLUTION, reason_of(robot, finding.question) + "; the probe stays " +
-                                              with_unit(finding.reached->distance) +
+                                              with_unit(robot, finding.reached->distance) +
                                               " away, at the nearest pose that was found.");
 }
 
@@ -71,11 +69,12 @@ std::string aspect_text(const SolvedConfiguration& configuration) {
   }
 }
 
-std::string distance_text(const char* what, const MetricDistance& distance) {
+std::string boundary_text(const Manipulator& manipulator, const char* what, const MetricDistance& distance) {
   const std::string start = std::string(what) + " ";
   if (distance.status == MetricDistance::ABSENT) return start + "none";
-  if (std::isfinite(distance.upper)) return start + with_unit(distance.upper);
-  return start + (std::isfinite(distance.lower) ? "over " + with_unit(distance.lower) : "unknown");
+  if (std::isfinite(distance.upper)) return start + with_unit(manipulator, distance.upper);
+  return start +
+         (std::isfinite(distance.lower) ? "over " + with_unit(manipulator, distance.lower) : "unknown");
 }
 
 }  // namespace
@@ -150,12 +149,13 @@ std::string words_of(const Manipulator& manipulator, const ProbeFinding& finding
   if (finding.section)
     words += PoseSlice::through(manipulator.task_space(), finding.reached->pose).text() +
              ", but aspects are drawn at " + finding.section->text() + "\n";
-  words += distance_text("parallel", report.parallel_distance) + ", " +
-           distance_text("serial", report.serial_distance) + ", " +
-           distance_text("limit", report.limit_distance);
+  words += boundary_text(manipulator, "parallel", report.parallel_distance) + ", " +
+           boundary_text(manipulator, "serial", report.serial_distance) + ", " +
+           boundary_text(manipulator, "limit", report.limit_distance);
   if (finding.reached->distance > 0.0)
-    words += "\nout of reach: it stays at the nearest pose found, " + with_unit(finding.reached->distance) +
-             " from " + to_string(manipulator.task_space(), finding.question.wanted);
+    words += "\nout of reach: it stays at the nearest pose found, " +
+             with_unit(manipulator, finding.reached->distance) + " from " +
+             to_string(manipulator.task_space(), finding.question.wanted);
   return words;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/spherical_links.h"
 #include "parallel_aspects/ask/connect.h"
 #include "tools/arguments.h"
 #include "tools/question_options.h"
@@ -21,12 +22,18 @@ struct ConnectArguments {
   ConstraintArguments constraints;
 };
 
-std::string connection_path_text(TaskSpace space, const ask::ConnectionInMode& answer) {
+/// A length that is proved or, on the unit sphere, an angle.
+std::string clearance_text(const Manipulator& robot, double lower) {
+  return moves_on_unit_sphere(robot) ? shown_bound(angle_of_chord(lower), Side::below) + " rad"
+                                     : shown_bound(lower, Side::below) + " m";
+}
+
+std::string connection_path_text(const Manipulator& robot, const ask::ConnectionInMode& answer) {
   std::string text = "\npath in " + to_string(answer.mode) + ":\n";
-  for (const Pose& pose : answer.comparison.path) text += "  " + to_string(space, pose) + '\n';
+  for (const Pose& pose : answer.comparison.path) text += "  " + to_string(robot.task_space(), pose) + '\n';
   if (answer.clearance)
-    text += "  no singularity is nearer to it than " + shown_bound(answer.clearance->lower, Side::below) +
-            " m, proved\n";
+    text += "  proved: no singularity is nearer to it than " +
+            clearance_text(robot, answer.clearance->lower) + "\n";
   return text;
 }
 
@@ -36,7 +43,7 @@ std::string connection_text(const Manipulator& robot, const ask::ConnectAnswer& 
   std::string below;
   for (const ask::ConnectionInMode& each : answer.answers) {
     table.add({to_string(each.mode), name(each.comparison.answer), each.comparison.message});
-    if (each.comparison.path.size() > 2) below += connection_path_text(space, each);
+    if (each.comparison.path.size() > 2) below += connection_path_text(robot, each);
     if (each.bottleneck)
       below += "\nin " + to_string(each.mode) +
                (each.bottleneck->found.status == BottleneckStatus::found ? " " : ": ") +

@@ -126,6 +126,16 @@ TEST(Probe, SaysThatAspectsAreDrawnAtAnotherAngle) {
   EXPECT_FALSE(is_near(*robot, PoseSlice(TaskSpace::SE2, phi + 0.1), start.pose));
 }
 
+TEST(Probe, OfAWristTellsDistancesAsAngles) {
+  const auto mechanism = test::shipped("spherical_3rrr");
+  const AssembledConfiguration start = mechanism->assembled();
+  const auto mode = working_mode(*mechanism->manipulator(), start.pose, start.q);
+  ASSERT_TRUE(mode);
+  const std::string words = words_at(mechanism->manipulator(), {start.pose, *mode, false}, {});
+  EXPECT_NE(words.find(" deg ("), std::string::npos) << words;
+  EXPECT_EQ(words.find(" m,"), std::string::npos) << words;
+}
+
 TEST(Probe, OfSixDegreesOfFreedomHasNoMap) {
   const auto mechanism = test::shipped("stewart");
   const AssembledConfiguration start = mechanism->assembled();
