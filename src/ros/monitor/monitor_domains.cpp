@@ -4,7 +4,6 @@
 #include "ros/messages/hazard_messages.h"
 #include "ros/monitor/robot_monitor.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -21,21 +20,17 @@ UniquenessState RobotMonitor::uniqueness() const {
   return tracking_start_ ? uniqueness_ : unknown_domains(uniqueness_.known);
 }
 
-// Where tracking began, or the assembly mode was `stated` since. It begins anew after a loss, but where the
+// Where tracking began, or the assembly mode was stated since. It begins anew after a loss, but where the
 // assembly mode was found to be the same.
-void RobotMonitor::note_start(bool stated) {
+void RobotMonitor::note_start(Beginning how) {
   const TrackedState& tracked = tracker_.state();
   if (!tracked.followed()) {
     if (tracking_start_) lost_start_ = std::exchange(tracking_start_, std::nullopt);
     return;
   }
-  if (tracking_start_ && !stated) return;
+  if (tracking_start_ && how != Beginning::stated) return;
   const auto lost = std::exchange(lost_start_, std::nullopt);
-  const Transitions& news = tracker_.transitions();
-  const bool found = std::any_of(news.begin(), news.end(), [](const Transition& transition) {
-    return transition.kind == TransitionKind::found;
-  });
-  if (lost && found && !stated) {
+  if (lost && how == Beginning::found) {
     tracking_start_ = lost;
     return;
   }

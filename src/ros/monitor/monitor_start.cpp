@@ -74,11 +74,12 @@ Status RobotMonitor::start_by(const ros::Time& now, const StatedSigns& stated, c
     const Status fit = as_stated(*mechanism_->manipulator(), {{}, {}, {found}}, stated).status;
     if (fit.code != Status::OK) return fit;
   }
+  meanwhile_.end();
   tracker_ = std::move(tracker);
   if (!tracker_.state().followed() || why_not.empty()) status_ = status_of_tracker();
   if (!why_not.empty()) return make_status(Status::NO_SOLUTION, why_not);
   stated_anew_ = true;
-  note_start(true);
+  note_start(Beginning::stated);
   keep_transitions();
   return {};
 }
@@ -87,6 +88,7 @@ Status RobotMonitor::start_by(const ros::Time& now, const StatedSigns& stated, c
 void RobotMonitor::forget() {
   clock_went_back_ = !ros::Time::isSimTime();
   publishers_.forget_claims();
+  meanwhile_.end();
   tracker_.stop();
   tracking_start_.reset();
   lost_start_.reset();

@@ -157,18 +157,23 @@ Status RobotMonitor::follow(const MergedJoints& merged, bool first) {
   const double time = seconds_between(epoch_, merged.stamp);
   const Status start = first ? start_as_configured(time, merged.q) : Status();
   if (!first || start.code != Status::OK) tracker_.update(time, merged.q, merged.uncertainty);
-  note_start(false);
+  meanwhile_.add({time, merged.q, merged.uncertainty});
+  if (tracker_.state().followed()) meanwhile_.end();
+  note_start(Beginning::followed);
   if (tracker_.state().followed()) not_started_ = {};
   if (first && tracker_.state().status == TrackStatus::uninitialised) not_started_ = start;
   status_ = status_of_tracker();
   return start;
 }
 
+void RobotMonitor::keep(const Transition& transition) {
+  transitions_.push_back(transition_message(*mechanism_->manipulator(), transition,
+                                            epoch_ + ros::Duration(transition.time),
+                                            std::exchange(stated_anew_, false)));
+}
+
 void RobotMonitor::keep_transitions() {
-  for (const Transition& transition : tracker_.take_transitions())
-    transitions_.push_back(transition_message(*mechanism_->manipulator(), transition,
-                                              epoch_ + ros::Duration(transition.time),
-                                              std::exchange(stated_anew_, false)));
+  for (const Transition& transition : tracker_.take_transitions()) keep(transition);
 }
 
 void RobotMonitor::fill_tracked(const ros::Time& stamp, MonitorUpdate& update) {
@@ -213,7 +218,7 @@ std::optional<AssemblyCandidates> RobotMonitor::work() {
   if (tracked.followed())
     measure(tracked, bend, readings);
   else
-    look_for_assembly_mode(readings);
+    look_for_assembly_mode();
   return new_candidates();
 }
 
@@ -237,26 +242,6 @@ void RobotMonitor::measure(const TrackedState& tracked, const JointVector& bend,
   residual_ = residual;
   if (tracker_.state().followed() && residual.compared > 0)
     tracker_.report_residual(residual.excess, residual.excess > limit);
-}
-
-void RobotMonitor::look_for_assembly_mode(const Eigen::VectorXd& readings) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  hazards_.forget_measured();
-  if (tracker_.state().followed()) return;
-  if (tracker_.wants_candidates()) tracker_.find_candidates();
-  residual_ = passive_.apply(readings, tracker_);  // a pose that was found is compared with them at once
-  note_start(false);
-  keep_transitions();
-}
-
-std::optional<AssemblyCandidates> RobotMonitor::new_candidates() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const bool followed = tracker_.state().followed();
-  const auto& list = tracker_.candidates();
-  const std::size_t count = followed ? 0 : list.size();
-  if (count == reported_candidates_) return std::nullopt;
-  reported_candidates_ = count;
-  return candidates_message(*mechanism_->manipulator(), tracker_.state(), list, age_.stamp());
 }
 
 std::optional<sensor_msgs::JointState> RobotMonitor::complete(const TrackedState& tracked,
@@ -379,6 +364,7 @@ std::optional<GuardedCommand> RobotMonitor::expire_command(const ros::Time& now,
 
 void RobotMonitor::set_map(std::shared_ptr<const AspectMap> map) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  meanwhile_.end();
   tracker_.set_map(std::move(map));
 }
 

@@ -13,6 +13,7 @@
 #include "ros/joint_states/publisher_watch.h"
 #include "ros/messages/configurations.h"
 #include "ros/messages/conversions.h"
+#include "ros/monitor/assembly_search.h"
 #include "ros/monitor/domain_report.h"
 #include "ros/monitor/hazard_watch.h"
 #include "ros/monitor/sample_age.h"
@@ -90,6 +91,14 @@ class RobotMonitor {
   /// one thread. The assembly modes that remain, where their number has changed.
   std::optional<AssemblyCandidates> work();
 
+  /// What `work` does where the robot is not followed, in parts: a search to run, while samples come, or
+  /// nothing where the robot is followed.
+  std::optional<AssemblySearch> begin_search();
+
+  /// Takes what the last search has found, with the samples that came meanwhile; drops it where the assembly
+  /// mode was stated or found since, the clock went back, or another map came.
+  void take(AssemblySearch search);
+
   /// Scales a velocity, where the guard is on; `turned`: the command in the base frame, or why not.
   GuardedCommand guard(const geometry_msgs::TwistStamped& command, const TurnedTwist& turned,
                        const ros::Time& now, const ros::SteadyTime& wall);
@@ -119,6 +128,13 @@ class RobotMonitor {
   Status start_with_sign(const StatedSigns& stated, const ros::Time& now);
 
  private:
+  /// How it comes that the robot is followed.
+  enum class Beginning {
+    followed,  ///< by samples alone
+    stated,    ///< somebody said where it is
+    found      ///< in the assembly mode of before
+  };
+
   MonitorUpdate pass_over(bool new_names);
   std::string fault_of(const JointSample& sample, const ros::Time& stamp, const ros::Time& now) const;
   MonitorUpdate take(const JointSample& sample, const ros::Time& stamp, const ros::Time& now);
@@ -137,13 +153,15 @@ class RobotMonitor {
   template <class Start>
   Status start_by(const ros::Time& now, const StatedSigns& stated, const Start& start);
   void fill_tracked(const ros::Time& stamp, MonitorUpdate& update);
+  void keep(const Transition& transition);
   void keep_transitions();
   AspectState lost_state(const Status& status, const ros::Time& stamp);
-  void note_start(bool stated);
+  void note_start(Beginning how);
   void fill_domains(AspectState& state) const;
   void look_for_domain(const TrackedState& tracked, const TrackingStart& start);
   void measure(const TrackedState& tracked, const JointVector& bend, const Eigen::VectorXd& readings);
-  void look_for_assembly_mode(const Eigen::VectorXd& readings);
+  void look_for_assembly_mode();
+  void use(AssemblySearch& search);
   std::optional<AssemblyCandidates> new_candidates();
   void forget();
 
@@ -161,6 +179,7 @@ class RobotMonitor {
   mutable std::mutex mutex_;
   JointMerger merger_;
   Tracker tracker_;
+  SamplesMeanwhile meanwhile_;  // of a search that is on
   Status status_;
   Status not_started_;                    // why, where the first sample could not start
   ros::Time epoch_;                       // of the tracker's clock
