@@ -34,7 +34,9 @@ SegmentsInMode AspectPaths::segments_of(const Aspect& aspect) const {
 }
 
 /// No path keeps an index that is larger than those of its ends.
-std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to, const PathShape& shape) {
+std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to, const PathShape& shape,
+                                    const MapControl& control) {
+  control_.cancelled = control.cancelled;
   const Aspect& in = map_->aspects()[static_cast<std::size_t>(aspect - 1)];
   const SegmentsInMode segments = segments_of(in);
   const Manipulator& robot = *map_->manipulator();
@@ -46,7 +48,7 @@ std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to
       return straight;
   const std::vector<Pose> path =
       shape.is_wide ? find_wide(in, from, to, wanted) : find_any(in, from, to, wanted);
-  if (path.empty()) return path;
+  if (path.empty() || is_cancelled(control_)) return {};
   const double kept = shape.is_wide ? shape.kept_share * least_index_along(path, segments) : 0.0;
   std::vector<Pose> best = with_short_turns(shortened(path, segments, kept), segments);
   return best.empty() ? with_short_turns(path, segments) : best;
@@ -58,14 +60,15 @@ std::vector<Pose> AspectPaths::find_any(const Aspect& aspect, const Pose& from, 
   return path.empty() ? find_between_parts(aspect, from, to) : path;
 }
 
-const std::vector<Pose>& AspectPaths::find_wide(const Aspect& aspect, const Pose& from, const Pose& to,
-                                                double wanted_index) {
+std::vector<Pose> AspectPaths::find_wide(const Aspect& aspect, const Pose& from, const Pose& to,
+                                         double wanted_index) {
   const auto known = std::find_if(wide_paths_.begin(), wide_paths_.end(), [&](const WidePath& each) {
     return each.aspect == aspect.id && is_same(each.from, from) && is_same(each.to, to);
   });
   if (known != wide_paths_.end()) return known->poses;
-  wide_paths_.push_back({aspect.id, from, to, find_any(aspect, from, to, wanted_index)});
-  return wide_paths_.back().poses;
+  std::vector<Pose> path = find_any(aspect, from, to, wanted_index);
+  if (!is_cancelled(control_)) wide_paths_.push_back({aspect.id, from, to, path});
+  return path;
 }
 
 /// From one part to another the way is looked for once: what is found leads on from all poses of the one to
@@ -75,8 +78,9 @@ std::vector<Pose> AspectPaths::find_between_parts(const Aspect& aspect, const Po
   if (!key) return search_between_parts(aspect, from, to);
   const auto known = links_.find(*key);
   if (known == links_.end()) {
-    std::vector<Pose>& link = links_[*key];
-    link = search_between_parts(aspect, from, to);
+    const std::vector<Pose> link = search_between_parts(aspect, from, to);
+    if (is_cancelled(control_)) return {};
+    links_[*key] = link;
     const auto [id, one, other] = *key;
     links_[{id, other, one}].assign(link.rbegin(), link.rend());
     return link;
@@ -104,7 +108,8 @@ std::optional<AspectPaths::Parts> AspectPaths::parts(const Aspect& aspect, const
 std::vector<Pose> AspectPaths::search_between_parts(const Aspect& aspect, const Pose& from, const Pose& to) {
   std::vector<Pose> path = find_by_climbs(aspect, from, to);
   for (const Beside beside : {Beside::passages, Beside::undecided})
-    if (path.empty()) path = find_through_leaves(aspect, from, to, beside);
+    if (path.empty() && !is_cancelled(control_)) path = find_through_leaves(aspect, from, to, beside);
+  if (is_cancelled(control_)) return {};
   return path.empty() ? find_in_roadmap(aspect, from, to) : shortened(path, segments_of(aspect), 0.0);
 }
 
@@ -113,10 +118,15 @@ FaceComponents& AspectPaths::components(const Aspect& aspect) {
   return components_.try_emplace(mode, map_->contents(), mode).first->second;
 }
 
-const LeafPassages& AspectPaths::climbs(const Aspect& aspect) {
-  const auto known = climbs_.find(aspect.id);
-  if (known != climbs_.end()) return known->second;
-  return climbs_[aspect.id] = climbs_between_parts(map_->contents(), aspect, components(aspect));
+/// Null where it is cancelled.
+const LeafPassages* AspectPaths::climbs(const Aspect& aspect) {
+  auto known = climbs_.find(aspect.id);
+  if (known == climbs_.end()) {
+    LeafPassages found = climbs_between_parts(map_->contents(), aspect, components(aspect), control_);
+    if (is_cancelled(control_)) return nullptr;
+    known = climbs_.emplace(aspect.id, std::move(found)).first;
+  }
+  return &known->second;
 }
 
 /// Those near the pose to which a segment is proved: to look for paths to others is in vain.
@@ -133,11 +143,15 @@ std::vector<Pose> AspectPaths::find_through_leaves(const Aspect& aspect, const P
   const std::size_t mode = *mode_index(map_->contents(), aspect.mode);
   LeafChoice choice{proved_leaves(aspect, from), proved_leaves(aspect, to), beside == Beside::undecided};
   choice.wanted_index = wanted_index;
+  choice.control = control_;
+  PassageProofs proofs;  // of all rounds
   if (beside == Beside::passages) {
-    choice.passages = &climbs(aspect);
+    choice.passages = climbs(aspect);
+    if (choice.passages == nullptr) return {};
+    choice.proofs = &proofs;
     choice.is_free = [&](const Pose& one, const Pose& other) { return is_free(one, other, aspect); };
   }
-  for (int i = 0; i < max_leaf_paths; ++i) {
+  for (int i = 0; i < max_leaf_paths && !is_cancelled(control_); ++i) {
     const std::vector<LeafStep> steps =
         find_leaf_path(map_->contents(), components(aspect), indices_[mode], aspect.id, from, to, choice);
     bool is_proved = true;
@@ -192,7 +206,7 @@ std::vector<Pose> AspectPaths::find_in_roadmap(const Aspect& aspect, const Pose&
   if (!roadmap) {
     RoadmapOptions options;
     options.modes = {aspect.mode};
-    roadmap = compute_pose_roadmap(map_->manipulator(), options).roadmap;
+    roadmap = compute_pose_roadmap(map_->manipulator(), options, control_).roadmap;
   }
   return roadmap
              ? PathSearch(*roadmap, aspect.mode, aspect.determinant_sign).find(from, to, SearchEffort::brief)

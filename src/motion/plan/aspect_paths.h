@@ -6,6 +6,7 @@
 #include "motion/plan/map_segments.h"
 #include "motion/plan/path_shape.h"
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/model/pose.h"
 
@@ -26,8 +27,9 @@ class AspectPaths {
   const MapSegments& segments() const noexcept { return segments_; }
 
   /// Poses from one to the other, each segment between two proved free in the aspect's working mode; empty
-  /// where none was found. Both must lie in the aspect.
-  std::vector<Pose> find(int aspect, const Pose& from, const Pose& to, const PathShape& shape = short_shape);
+  /// where none was found, or it was cancelled. Both must lie in the aspect.
+  std::vector<Pose> find(int aspect, const Pose& from, const Pose& to, const PathShape& shape = short_shape,
+                         const MapControl& control = {});
 
   /// What was found of wide paths is kept for other shapes of them, until here.
   void forget_wide_paths() { wide_paths_.clear(); }
@@ -51,12 +53,11 @@ class AspectPaths {
   };
 
   std::vector<Pose> find_any(const Aspect& aspect, const Pose& from, const Pose& to, double wanted_index);
-  const std::vector<Pose>& find_wide(const Aspect& aspect, const Pose& from, const Pose& to,
-                                     double wanted_index);
+  std::vector<Pose> find_wide(const Aspect& aspect, const Pose& from, const Pose& to, double wanted_index);
   bool is_free(const Pose& from, const Pose& to, const Aspect& aspect) const;
   SegmentsInMode segments_of(const Aspect& aspect) const;
   FaceComponents& components(const Aspect& aspect);
-  const LeafPassages& climbs(const Aspect& aspect);
+  const LeafPassages* climbs(const Aspect& aspect);
   std::optional<Parts> parts(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<Pose> find_between_parts(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<Pose> search_between_parts(const Aspect& aspect, const Pose& from, const Pose& to);
@@ -69,6 +70,7 @@ class AspectPaths {
 
   std::shared_ptr<const AspectMap> map_;
   MapSegments segments_;
+  MapControl control_;  // what is cancelled is not kept as looked for in vain
   std::deque<WidePath> wide_paths_;
   std::map<std::size_t, LeafIndices> indices_;        // by index of the mode in the map
   std::map<std::size_t, FaceComponents> components_;  // by index of the mode in the map

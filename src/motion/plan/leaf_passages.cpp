@@ -46,7 +46,7 @@ std::optional<LeafPassage> passage_between(const AspectMap::Contents& map, NodeI
       const double length = squared_distance(a, b, out.box.dimension);
       if (!(length < least)) continue;
       least = length;
-      best = LeafPassage{to, {space.pose({out.root, a}), space.pose({in.root, b})}};
+      best = LeafPassage{to, {space.pose({out.root, a}), space.pose({in.root, b})}, undecided};
     }
   return best;
 }
@@ -54,8 +54,13 @@ std::optional<LeafPassage> passage_between(const AspectMap::Contents& map, NodeI
 /// The climbs from one part to others.
 class PartClimbs {
  public:
-  PartClimbs(const AspectMap::Contents& map, const Aspect& aspect, FaceComponents& components)
-      : map_(map), aspect_(aspect), components_(components), mode_(*mode_index(map, aspect.mode)) {}
+  PartClimbs(const AspectMap::Contents& map, const Aspect& aspect, FaceComponents& components,
+             const MapControl& control)
+      : map_(map),
+        aspect_(aspect),
+        components_(components),
+        control_(control),
+        mode_(*mode_index(map, aspect.mode)) {}
 
   LeafPassages run() {
     const NodeIndex largest = largest_part();
@@ -64,6 +69,7 @@ class PartClimbs {
     for (NodeIndex leaf = 0; leaf < map_.tree.node_count() && all < most_climbs; ++leaf) {
       if (!is_inside(leaf) || components_.part_of(leaf) == largest) continue;
       if (climbs[components_.part_of(leaf)]++ >= climbs_of_a_part) continue;
+      if (is_cancelled(control_)) break;
       ++all;
       add_climb(leaf);
     }
@@ -114,6 +120,7 @@ class PartClimbs {
   const AspectMap::Contents& map_;
   const Aspect& aspect_;
   FaceComponents& components_;
+  const MapControl& control_;
   std::size_t mode_;
   ClimbPolicy policy_;
   LeafPassages found_;
@@ -122,8 +129,8 @@ class PartClimbs {
 }  // namespace
 
 LeafPassages climbs_between_parts(const AspectMap::Contents& map, const Aspect& aspect,
-                                  FaceComponents& components) {
-  return PartClimbs(map, aspect, components).run();
+                                  FaceComponents& components, const MapControl& control) {
+  return PartClimbs(map, aspect, components, control).run();
 }
 
 std::vector<LeafPassage> passages_beside(const AspectMap::Contents& map, const Aspect& aspect,

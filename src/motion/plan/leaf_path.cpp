@@ -46,7 +46,7 @@ class LeafSearch {
     for (const NodeIndex leaf : choice_.first)
       if (!is_barred(no_node, leaf) && may_lead_on(leaf))
         enter(leaf, no_node, distance(from_, middle(leaf)), index_steps);
-    while (!open_.empty()) {
+    while (!open_.empty() && !is_cancelled(choice_.control)) {
       const NodeIndex leaf = open_.top().leaf;
       if (leaf == no_node) return path();
       open_.pop();
@@ -147,8 +147,15 @@ class LeafSearch {
     if (climbs != choice_.passages->end())
       for (const LeafPassage& passage : climbs->second) enter_by(passage, leaf, at, cost, width);
     for (const LeafPassage& passage : passages_beside(map_, aspect_, leaf))
-      if (reached_.count(passage.to) == 0 && choice_.is_free(passage.poses.front(), passage.poses.back()))
+      if (reached_.count(passage.to) == 0 && is_proved(passage, leaf))
         enter_by(passage, leaf, at, cost, width);
+  }
+
+  bool is_proved(const LeafPassage& passage, NodeIndex leaf) const {
+    const auto [item, is_new] = choice_.proofs->try_emplace({leaf, passage.beside, passage.to}, false);
+    if (is_new && !is_cancelled(choice_.control))
+      item->second = choice_.is_free(passage.poses.front(), passage.poses.back());
+    return item->second;
   }
 
   void enter_by(const LeafPassage& passage, NodeIndex leaf, const Pose& at, double cost, double width) {

@@ -4,10 +4,13 @@
 
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/map/map_contents.h"
+#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/model/pose.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -20,11 +23,16 @@ class FaceComponents;
 /// From an inside leaf to another one of the aspect, which may share no face with it.
 struct LeafPassage {
   NodeIndex to = no_node;
-  std::vector<Pose> poses;  ///< the first in the one leaf, the last in the other
+  std::vector<Pose> poses;     ///< the first in the one leaf, the last in the other
+  NodeIndex beside = no_node;  ///< of `passages_beside`, the undecided leaf between
 };
 
 /// Those that begin in a leaf.
 using LeafPassages = std::unordered_map<NodeIndex, std::vector<LeafPassage>>;
+
+/// Which passages of `passages_beside` are proved free: by the leaf where they begin, that between, and that
+/// where they end.
+using PassageProofs = std::map<std::array<NodeIndex, 3>, bool>;
 
 /// From this inside leaf through one undecided leaf beside both, where its faces to them are nearest to each
 /// other, maybe in one pose; whether the segment is free is not proved.
@@ -32,9 +40,10 @@ std::vector<LeafPassage> passages_beside(const AspectMap::Contents& map, const A
                                          NodeIndex leaf);
 
 /// Climbs, as those by which a map joins what no faces of inside leaves connect, from parts other than the
-/// largest to the first leaf of another part, and back. Each segment is proved.
+/// largest to the first leaf of another part, and back. Each segment is proved. Some of them where it is
+/// cancelled.
 LeafPassages climbs_between_parts(const AspectMap::Contents& map, const Aspect& aspect,
-                                  FaceComponents& components);
+                                  FaceComponents& components, const MapControl& control);
 
 /// How far the platform moves from one pose to another: the distance of the operational point, and the
 /// rotation times the characteristic length [m].
@@ -56,6 +65,9 @@ struct LeafChoice {
   /// them along a segment that `is_free` proves: in narrow corridors leaves touch at corners alone.
   const LeafPassages* passages = nullptr;
   std::function<bool(const Pose&, const Pose&)> is_free{};
+  PassageProofs* proofs = nullptr;  ///< with `passages`: what `is_free` said, for other searches as well
+
+  MapControl control{};  ///< where it is cancelled, no path is found
 
   /// Parallel index that the path is to keep; where it cannot, one as large as it can by the middles of the
   /// leaves. 0 where it is to be short.

@@ -72,8 +72,8 @@ class PathPlanner::Search {
     for (const PathShape& shape : shapes_for(wish_.prefer)) {
       shape_ = shape;
       PlannedPath found = find(starts, goals);
-      if (!found && !choice.has_path()) return found;
       if (is_cancelled(control_)) return without_path(SameAspect::unknown, "Cancelled.");
+      if (!found && !choice.has_path()) return found;
       const bool is_best = wish_.prefer == PathPreference::shortest && is_straight(found);
       choice.offer(std::move(found));
       if (is_best) break;
@@ -222,7 +222,7 @@ class PathPlanner::Search {
   }
 
   bool go(PathBuilder& builder, const PoseInAspect& from, const Pose& to) {
-    const std::vector<Pose> poses = paths_.find(from.aspect, from.pose, to, shape_);
+    const std::vector<Pose> poses = paths_.find(from.aspect, from.pose, to, shape_, control_);
     builder.go(poses, aspect_of(map_, from.aspect).mode);
     return !poses.empty();
   }

@@ -186,22 +186,6 @@ TEST(PlanPath, IsFoundNearlyWhereverTheMapProvesOneAspect) {
   EXPECT_LE(missing, 2);
 }
 
-// A corridor of some hundred leaves that touch at corners alone.
-TEST(PlanPath, GoesThroughACorridorOfCorners) {
-  Margins margins;
-  margins.det_a = 3660.0;
-  const Robot robot = test::three_rpr()->with_margins(margins);
-  MapOptions options;
-  options.slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, 14.98}});
-  const AnchorCircle circle = circle_of_anchor(*robot, *options.slice->joint);
-  const PathEnd from{circle.nearest(Pose::planar(14.67394366, -3.01260312, 2.13290437)), {}},
-      to{circle.nearest(Pose::planar(-5.49566082, -13.93549828, -0.04733137)), {}};
-  const auto map = test::map_of(robot, options);
-  const PlannedPath path = PathPlanner(map).plan(from, to, PathPolicy::stay);
-  ASSERT_TRUE(path) << path.message;
-  EXPECT_GE(path.least_det_a, 3660.0);
-}
-
 struct Case {
   const char* name;
   Robot robot;
