@@ -184,8 +184,9 @@ class Writer {
     text_ += "\nstart:\n";
     comment(indent,
             "Where the robot is when the monitor gets its first joint sample: a guess, the pose in which the "
-            "loops were closed to find the mechanism. Where the first sample does not fit to a pose near it, "
-            "the assembly mode is not known. Coordinates: " +
+            "loops were closed to find the mechanism. Where its actuated joints do not assemble within "
+            "start/tolerance of it [m], by default 1/20 of the robot's size, the assembly mode is not known. "
+            "Coordinates: " +
                 joined(coordinate_names(*draft_.task_space)) + " [m, rad].");
     entry("pose", "[" + values + "]");
   }
