@@ -32,6 +32,7 @@ struct MapArguments {
   std::string load_file, save_file;  // empty where not given
   std::string picture_file, basins_file;
   bool neighbours = false;
+  bool without_limits = false;
   bool no_symmetry = false;
   bool complete = false;
   bool all_aspects = false;
@@ -114,6 +115,7 @@ void refuse_options_of_boxes(const MapArguments& arguments, const Manipulator& m
   refuse(arguments.wants_basins() || !arguments.index_text.empty(),
          "--persistence, --persistence-picture and --index are", leave + "them out");
   refuse(arguments.neighbours, "--neighbours is", leave + "it out");
+  refuse(arguments.without_limits, "--without-limits is", leave + "it out");
   refuse(arguments.no_symmetry, "--no-symmetry is", leave + "it out");
   refuse(arguments.complete, "--complete is", "leave it out");
   refuse(!arguments.modes.empty(), "--mode is", leave + "it out");
@@ -213,7 +215,7 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
   if (arguments.persistence) add_persistence(*map, basins, report);
   if (!arguments.basins_file.empty())
     write_output_file("Picture", arguments.basins_file, draw_basins(*map, basins));
-  add_count_without_limits(*map, options, surroundings, report);
+  add_count_without_limits(*map, options, arguments.without_limits, surroundings, report);
   if (arguments.neighbours) add_neighbours(*map, find_neighbours(*map, control_of(surroundings)), report);
   return report;
 }
@@ -290,6 +292,9 @@ Subcommand map_subcommand() {
       [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); },
       {{"--neighbours", "Tell which aspects touch across a singularity, and where that is proved",
         &arguments->neighbours},
+       {"--without-limits",
+        "Count the aspects without limits of joints, too, where that may take longer than the map",
+        &arguments->without_limits},
        {"--no-symmetry", "Compute what symmetries of the robot show to be the same, too",
         &arguments->no_symmetry},
        {"--complete",

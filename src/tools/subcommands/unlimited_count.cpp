@@ -17,12 +17,7 @@ using nlohmann::json;
 // Of the smallest ones in the region, all of which the second map could take at most: 256 by 256.
 constexpr double max_boxes_to_count = 65536.0;
 
-// Where the region has more boxes: of all working modes, if each has as many leaves as those that are not
-// empty.
-constexpr std::size_t max_leaves_to_count = 60000;
-
-// With six legs a box takes some twenty times as long, and there are no more than these. How many leaves a
-// map has within limits tells little then: of slices that turn it is up to a thousandth of those without.
+// With six legs a box takes some twenty times as long.
 constexpr double max_boxes_with_six_legs = 4096.0;
 
 // Of unit quaternions: four charts, each from -1 to 1 in three coordinates.
@@ -37,13 +32,11 @@ double smallest_boxes(const AspectMap& map) {
   return count;
 }
 
+// By the region alone: how many leaves a map has within limits, or what time it took, tells little of that
+// without them.
 bool is_cheap(const AspectMap& map) {
-  if (map.manipulator()->leg_count() == max_legs) return smallest_boxes(map) <= max_boxes_with_six_legs;
-  if (smallest_boxes(map) <= max_boxes_to_count) return true;
-  std::size_t leaves = 0;
-  for (const Aspect& aspect : map.aspects()) leaves += aspect.inside_leaves;
-  const std::size_t all_modes = working_modes(*map.manipulator()).size(), modes = map.working_modes().size();
-  return modes > 0 && leaves * all_modes <= max_leaves_to_count * modes;
+  const bool six_legs = map.manipulator()->leg_count() == max_legs;
+  return smallest_boxes(map) <= (six_legs ? max_boxes_with_six_legs : max_boxes_to_count);
 }
 
 ConstraintKinds limits_of_joints(const Manipulator& manipulator) {
@@ -70,11 +63,11 @@ std::string listed(ConstraintKinds kinds, const std::string& between, const std:
 
 }  // namespace
 
-void add_count_without_limits(const AspectMap& map, MapOptions options, const Surroundings& surroundings,
-                              Report& report) {
+void add_count_without_limits(const AspectMap& map, MapOptions options, bool asked_for,
+                              const Surroundings& surroundings, Report& report) {
   const Manipulator& manipulator = *map.manipulator();
   const ConstraintKinds limits = limits_of_joints(manipulator);
-  if (limits.none() || !is_cheap(map)) return;
+  if (limits.none() || !(asked_for || is_cheap(map))) return;
   options.region = searched_positions(map);
   options.complete = false;
   const auto free = manipulator.with_constraints(manipulator.constraint_kinds() & ~limits);

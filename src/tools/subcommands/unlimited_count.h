@@ -10,10 +10,10 @@ namespace parallel_aspects::tools {
 
 /// Where joints have limits: adds how many aspects there are without them in the region of the map, which had
 /// these options, and in the text, where it is another number, what leaves the limits out. Nothing where
-/// there are none, or where it would take long: with three free coordinates, if the map took longer than a
-/// second. Throws Interrupted at Ctrl-C.
-void add_count_without_limits(const AspectMap& map, MapOptions options, const Surroundings& surroundings,
-                              Report& report);
+/// there are none, or where the region has so many boxes that it may take longer than the map, unless it is
+/// `asked_for`. Throws Interrupted at Ctrl-C.
+void add_count_without_limits(const AspectMap& map, MapOptions options, bool asked_for,
+                              const Surroundings& surroundings, Report& report);
 
 }  // namespace parallel_aspects::tools
 

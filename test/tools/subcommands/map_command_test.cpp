@@ -278,6 +278,16 @@ TEST_F(MapCommand, CountsWithoutLimitsAreTold) {
   EXPECT_FALSE(run_json({"map", "five_bar", "--resolution", "0.5"}).contains("without_limits"));
 }
 
+// It may take many times as long as the map, which is all that its time tells of.
+TEST_F(MapCommand, WithManyBoxesCountsWithoutLimitsAreForThoseWhoAsk) {
+  EXPECT_FALSE(run_json({"map", "bipod", "--resolution", "0.01"}).contains("without_limits"));
+  const json asked = run_json({"map", "bipod", "--resolution", "0.01", "--without-limits"});
+  EXPECT_EQ(asked.at("without_limits").at("components"), 2);
+  EXPECT_FALSE(
+      run_json({"map", "five_bar", "--resolution", "0.5", "--without-limits"}).contains("without_limits"))
+      << "it has none";
+}
+
 TEST_F(MapCommand, BadConstraintsAreRefused) {
   const std::vector<std::pair<std::vector<const char*>, std::string>> cases{
       {{"map", "five_bar", "--constraint", "gravity"},
