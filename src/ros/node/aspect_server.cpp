@@ -5,13 +5,35 @@
 
 #include <ros/console.h>
 
+#include <XmlRpcValue.h>
 #include <exception>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
 
 const ros::WallDuration between_looks(2.0);  // at the master
+
+/// Keeps the parameters that a robot sets to what is in force as they were asked for: the next reload reads
+/// them.
+class AskedParameters {
+ public:
+  explicit AskedParameters(const ros::NodeHandle& private_nh) : private_nh_(private_nh) {
+    for (const char* group : {"thresholds", "display"})
+      if (XmlRpc::XmlRpcValue value; private_nh_.getParam(group, value)) groups_[group] = value;
+  }
+  ~AskedParameters() {
+    for (const auto& [group, value] : groups_) private_nh_.setParam(group, value);
+  }
+  AskedParameters(const AskedParameters&) = delete;
+  AskedParameters& operator=(const AskedParameters&) = delete;
+
+ private:
+  ros::NodeHandle private_nh_;
+  std::map<std::string, XmlRpc::XmlRpcValue> groups_;
+};
 
 }  // namespace
 
@@ -45,7 +67,8 @@ AspectServer::~AspectServer() {
 }
 
 // Names of topics and services are free again only once the robot before is gone. Where the new one cannot be
-// served after all, that one is served anew, without a start: where it is by now somebody has to say.
+// served after all, that one is served anew, with what was in force, but without a start: where it is by now
+// somebody has to say.
 void AspectServer::replace_robot(NodeSetup setup) {
   if (robot_) last_served_ = robot_->setup();
   robot_.reset();
@@ -61,6 +84,7 @@ void AspectServer::replace_robot(NodeSetup setup) {
 void AspectServer::serve_last_again(const std::string& reason) {
   NodeSetup again = *last_served_;
   again.options.start = {};
+  const AskedParameters asked(private_nh_);
   try {
     robot_ = std::make_unique<RobotServer>(nh_, private_nh_, std::move(again));
   } catch (const std::exception& failure) {

@@ -108,6 +108,12 @@ RobotServer::~RobotServer() {
   tf_spinner_.stop();
 }
 
+NodeSetup RobotServer::setup() const {
+  NodeSetup setup = setup_;
+  setup.options = reconfiguration_->in_force(std::move(setup.options));
+  return setup;
+}
+
 void RobotServer::advertise() {
   serve<GetWorkingMode>("get_working_mode", queries_);
   serve<GetCurrentAspect>("get_current_aspect", queries_);

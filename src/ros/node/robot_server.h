@@ -52,8 +52,8 @@ class RobotServer {
   RobotServer(const RobotServer&) = delete;
   RobotServer& operator=(const RobotServer&) = delete;
 
-  /// What this robot was made of.
-  const NodeSetup& setup() const { return setup_; }
+  /// What this robot was made of, with what was reconfigured since.
+  NodeSetup setup() const;
 
  private:
   using Transforms = ros::MessageEvent<const tf2_msgs::TFMessage>;

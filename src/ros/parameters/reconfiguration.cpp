@@ -40,6 +40,12 @@ void fill(const ThresholdParameters& parameters, ThresholdsConfig& config) {
   for (const Threshold& each : thresholds) config.*each.config = parameters.*each.parameter;
 }
 
+void fill(const DisplayOptions& display, DisplayConfig& config) {
+  config.gallery = display.gallery;
+  config.gallery_scale = display.gallery_scale;
+  config.rate = display.rate;
+}
+
 }  // namespace
 
 Reconfiguration::Reconfiguration(const ros::NodeHandle& private_nh, const NodeOptions& options,
@@ -55,8 +61,18 @@ Reconfiguration::Reconfiguration(const ros::NodeHandle& private_nh, const NodeOp
   display_server_.setCallback([this](DisplayConfig& config, std::uint32_t) { change(config); });
 }
 
-// The server also calls at its start, with what is there.
+NodeOptions Reconfiguration::in_force(NodeOptions options) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  options.thresholds = thresholds_;
+  options.display = display_;
+  return options;
+}
+
+// The server also calls at its start, with the parameters as they are by then. Those may be of another robot,
+// which was refused.
 void Reconfiguration::change(ThresholdsConfig& config) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!std::exchange(thresholds_started_, true)) return fill(thresholds_, config);
   const ThresholdParameters wanted = parameters_of(config);
   if (same(wanted, thresholds_)) return;
   const Problems problems =
@@ -69,6 +85,8 @@ void Reconfiguration::change(ThresholdsConfig& config) {
 
 // Ranges are kept by the server, but it lets through what is not a number.
 void Reconfiguration::change(DisplayConfig& config) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!std::exchange(display_started_, true)) return fill(display_, config);
   const bool differs = config.gallery != display_.gallery || config.gallery_scale != display_.gallery_scale ||
                        config.rate != display_.rate;
   if (!differs) return;
@@ -77,10 +95,7 @@ void Reconfiguration::change(DisplayConfig& config) {
     ROS_WARN_STREAM("Not changed: " << (read_only_
                                             ? "the node is read_only."
                                             : "display/gallery_scale and display/rate must be numbers."));
-    config.gallery = display_.gallery;
-    config.gallery_scale = display_.gallery_scale;
-    config.rate = display_.rate;
-    return;
+    return fill(display_, config);
   }
   display_.gallery = config.gallery;
   display_.gallery_scale = config.gallery_scale;

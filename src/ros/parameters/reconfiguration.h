@@ -11,26 +11,33 @@
 
 #include <dynamic_reconfigure/server.h>
 #include <functional>
+#include <mutex>
 
 namespace parallel_aspects {
 
 /// Thresholds and display by dynamic_reconfigure, under ~thresholds and ~display; nothing else changes while
 /// the node runs. What `problems_of` does not accept is refused with a warning, and what was there stays; so
-/// is everything where the options say read_only.
+/// is everything where the options say read_only. At the start the options hold, whatever the parameters are
+/// by then.
 class Reconfiguration {
  public:
   using OnThresholds = std::function<void(const ThresholdParameters&)>;
   using OnDisplay = std::function<void(const DisplayOptions&)>;
 
-  /// The parameters are those that `options` was read from.
+  /// Sets the parameters to what `options` says.
   Reconfiguration(const ros::NodeHandle& private_nh, const NodeOptions& options, OnThresholds on_thresholds,
                   OnDisplay on_display);
+
+  /// What is in force in place of what `options` says.
+  NodeOptions in_force(NodeOptions options) const;
 
  private:
   void change(ThresholdsConfig& config);
   void change(DisplayConfig& config);
 
   const bool read_only_;
+  mutable std::mutex mutex_;  // of those that follow, up to the functions
+  bool thresholds_started_ = false, display_started_ = false;
   ThresholdParameters thresholds_;
   DisplayOptions display_;
   const OnThresholds on_thresholds_;
