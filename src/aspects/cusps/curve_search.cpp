@@ -13,8 +13,9 @@ namespace {
 
 class CurveSearch {
  public:
-  CurveSearch(CuspFamily& family, const TraceBounds& bounds, const MapControl& control)
-      : family_(family), bounds_(bounds), control_(control) {
+  CurveSearch(CuspFamily& family, const TraceBounds& bounds, std::size_t most_boxes,
+              const MapControl& control)
+      : family_(family), bounds_(bounds), most_boxes_(most_boxes), control_(control) {
     // Curves are followed a little farther, so that what touches the range from outside is known, too.
     const double more = 0.01 * (bounds.upper - bounds.lower);
     trace_bounds_ = bounds;
@@ -30,11 +31,11 @@ class CurveSearch {
     boxes_.push_back(whole);
     double done = 0.0;
     for (std::size_t effort = 0; !boxes_.empty(); ++effort) {
-      if (effort % 1024 == 0 && control_.progress) control_.progress(done / whole.measure());
+      if (effort % 1024 == 0) tell(done / whole.measure(), effort);
       const Box box = boxes_.back();
       boxes_.pop_back();
       const std::size_t left = boxes_.size();
-      if (effort >= largest_effort || is_cancelled(control_)) stopped_ = true;
+      if (effort >= most_boxes_ || is_cancelled(control_)) stopped_ = true;
       if (stopped_ || !examine(box)) result_.undecided.push_back(box);
       if (boxes_.size() == left) done += box.measure();
     }
@@ -42,6 +43,13 @@ class CurveSearch {
   }
 
  private:
+  /// The search ends with the last box or the last of the effort; each box brings one of both nearer.
+  void tell(double done, std::size_t effort) const {
+    if (!control_.progress) return;
+    const double spent = std::min(1.0, static_cast<double>(effort) / static_cast<double>(most_boxes_));
+    control_.progress(done + (1.0 - done) * spent);
+  }
+
   /// Left out are boxes that hold no cusp within limits, or those of a known arc alone; all others end among
   /// the undecided ones. False where the box is too small to be divided.
   bool examine(const Box& box) {
@@ -116,14 +124,12 @@ class CurveSearch {
   // Of boxes that touch a serial singularity. A crank and a rod of one length are folded along whole curves.
   static constexpr double smallest_singular = 0x1p-14;
 
-  // Boxes that are looked at in all, so that an answer comes within minutes.
-  static constexpr std::size_t largest_effort = 5000000;
-
   // Newton's test of a somewhat larger box also proves curves along a face.
   static constexpr double inflation = 1.2;
 
   CuspFamily& family_;
   TraceBounds bounds_, trace_bounds_;
+  std::size_t most_boxes_;
   const MapControl& control_;
   std::vector<Box> boxes_;
   std::vector<CuspTube> cores_;
@@ -134,9 +140,10 @@ class CurveSearch {
 
 }  // namespace
 
-CuspTraces find_cusp_traces(CuspFamily& family, const TraceBounds& bounds, const MapControl& control) {
+CuspTraces find_cusp_traces(CuspFamily& family, const TraceBounds& bounds, std::size_t most_boxes,
+                            const MapControl& control) {
   assert_rounding_upward();
-  return CurveSearch(family, bounds, control).run();
+  return CurveSearch(family, bounds, most_boxes, control).run();
 }
 
 }  // namespace parallel_aspects

@@ -7,6 +7,7 @@
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_control.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace parallel_aspects {
@@ -19,10 +20,12 @@ struct CuspTraces {
 
 /// Boxes of the family are excluded by bounds, as those of a slice are by `find_cusp_boxes`, or hold one arc
 /// of a curve by `test_tube`. That is followed both ways, unless a tube of a curve that is known holds a
-/// point of it. So closed curves are found like any others.
+/// point of it. So closed curves are found like any others. After `most_boxes` those that are left are
+/// undecided.
 ///
 /// Needs a live `RoundingUpward`.
-CuspTraces find_cusp_traces(CuspFamily& family, const TraceBounds& bounds, const MapControl& control);
+CuspTraces find_cusp_traces(CuspFamily& family, const TraceBounds& bounds, std::size_t most_boxes,
+                            const MapControl& control);
 
 }  // namespace parallel_aspects
 

@@ -63,11 +63,15 @@ std::string counts_text(const CuspCurves& found, const std::string& held) {
   return "\nnumber of cusps of each slice, proved\n" + table.text();
 }
 
-std::string undecided_text(const CuspCurves& found) {
-  std::string text;
+/// With what to ask about values that are not decided.
+std::string undecided_text(const CuspCurves& found, const std::string& joint) {
+  if (found.undecided.empty()) return "";
+  std::string text = "\n";
   for (const CuspEvent& each : found.undecided)
     text += "not decided: " + number_text(each.lower, 9) + " to " + number_text(each.upper, 9) + "\n";
-  return text.empty() ? "" : '\n' + text;
+  const CuspEvent& first = found.undecided.front();
+  return text + "A shorter range is divided further; --slice " + joint + "=" +
+         number_text(0.5 * (first.lower + first.upper)) + " lists the cusps at one value.\n";
 }
 
 }  // namespace
@@ -91,8 +95,8 @@ Report report_cusp_curves(const Manipulator& robot, const CuspCurves& found) {
                       " to " + number_text(found.range.upper) + " " + joint_unit(leg) + ": " +
                       counted(found.curves.size(), "curve") + " of cusps, " +
                       (found.complete ? "proved to be all" : "there may be more") + "\n" +
-                      curves_text(robot, found, held) + counts_text(found, held) + undecided_text(found) +
-                      '\n' + constraints.text};
+                      curves_text(robot, found, held) + counts_text(found, held) +
+                      undecided_text(found, leg.actuated_joint) + '\n' + constraints.text};
 }
 
 }  // namespace parallel_aspects::tools

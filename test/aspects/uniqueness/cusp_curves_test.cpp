@@ -13,11 +13,13 @@
 
 #include "support/robots/random_robots.h"
 #include "support/robots/robots.h"
+#include "support/robots/shipped.h"
 #include "support/slices.h"
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <random>
 #include <string>
@@ -318,6 +320,23 @@ TEST(CuspCurves, AreNotCompleteWhenCancelled) {
   const CuspCurves found = find_cusp_curves(*test::three_rpr(), {0, 10.0, 32.0}, control);
   EXPECT_FALSE(found.complete);
   EXPECT_TRUE(found.counts.empty());
+}
+
+// Boxes that touch a serial singularity are nowhere decided there.
+TEST(CuspCurves, ProgressGoesOnWhereHardlyAnythingIsDecided) {
+  const auto robot = test::shipped("three_rrr")->mapped_manipulator();
+  constexpr std::size_t most_told = 40;
+  std::vector<double> shares;
+  std::atomic<bool> cancelled{false};
+  MapControl control;
+  control.cancelled = &cancelled;
+  control.progress = [&](double share) {
+    if (shares.size() < most_told) shares.push_back(share);
+    cancelled = shares.size() == most_told;
+  };
+  find_cusp_curves(*robot, {0, -3.1, 3.1}, control);
+  ASSERT_EQ(shares.size(), most_told);
+  EXPECT_EQ(std::adjacent_find(shares.begin(), shares.end(), std::greater_equal<>()), shares.end());
 }
 
 }  // namespace

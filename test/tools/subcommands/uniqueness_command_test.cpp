@@ -40,6 +40,15 @@ TEST_F(UniquenessCommand, ListsCurvesOfCusps) {
   EXPECT_EQ(point["held"], point["actuated"][0]);
 }
 
+// Where a crank is as long as its rod, boxes that touch a serial singularity stay undecided.
+TEST_F(UniquenessCommand, SaysWhatToAskWhereARangeIsNotDecided) {
+  const Outcome outcome = run({"uniqueness", "three_rrr", "--cusps-over", "crank_1_joint=0.3:0.3000001"});
+  EXPECT_NE(outcome.output.find("\nnot decided: 0.3"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("A shorter range is divided further; --slice crank_1_joint=0.3 lists"),
+            std::string::npos)
+      << outcome.output;
+}
+
 TEST_F(UniquenessCommand, RefusesRangesThatAreNone) {
   for (const char* range : {"strut_4_joint", "strut_1_joint=20:12", "strut_1_joint=5:12"}) {
     const Outcome outcome = run({"uniqueness", "three_rpr", "--cusps-over", range});
