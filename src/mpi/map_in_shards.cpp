@@ -191,11 +191,12 @@ std::vector<Option> options_of(ShardArguments& arguments) {
       {"--region", "\"x=0:5 y=0:9\"",
        "Where to look: a lower and an upper end of every position that is free [m]; by default all "
        "that the legs reach",
-       &arguments.region});
+       &arguments.region, false, tools::Words::assignments});
   options.push_back({"--slice", "\"z=1\"",
-                     "Map a line, plane or volume of poses: what is held, with its value", &arguments.slice});
-  options.push_back(
-      {"--mode", "\"(+,-)\"", "Map these working modes only; by default every one", &arguments.modes});
+                     "Map a line, plane or volume of poses: what is held, with its value", &arguments.slice,
+                     false, tools::Words::assignments});
+  options.push_back({"--mode", "\"(+,-)\"", "Map these working modes only; by default every one",
+                     &arguments.modes, false, tools::Words::signs});
   options.push_back(
       {"--threads", "N", "Threads of each process; by default 1, and 0 for one a core", &arguments.threads});
   for (const Option& option : tools::constraint_options(arguments.constraints)) options.push_back(option);

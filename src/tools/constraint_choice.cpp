@@ -115,14 +115,14 @@ std::vector<Option> constraint_options(ConstraintArguments& arguments) {
   return {{"--constraint", "LIST",
            "Constraints that bound the aspects besides singularities, separated by commas: " + known_names() +
                "; by default all that the robot has",
-           &arguments.only},
-          {"--no-constraint", "LIST", "Constraints to leave out", &arguments.without},
+           &arguments.only, false, Words::names},
+          {"--no-constraint", "LIST", "Constraints to leave out", &arguments.without, false, Words::names},
           {"--margin", "LIST",
            "Least indices, each in place of the one that the robot has, such as \"parallel=0.05 "
            "serial=0.1\": |det A| "
            "over the norms of its rows and |B_jj| over its largest, 0 at singularities and 1 at most; "
            "det_a=20000: |det A| itself",
-           &arguments.margins},
+           &arguments.margins, false, Words::assignments},
           {"--tolerance", "SHARE",
            "Prove for every robot whose points and lengths differ from the description by at most this share "
            "of the robot's size, such as 0.001; by default that of the robot's YAML, or 0",

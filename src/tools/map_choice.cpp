@@ -21,7 +21,7 @@ std::vector<Option> map_choice_options(MapChoice& choice, const std::string& sli
            "Stay in a line, plane or volume of poses: what is held, with its value [m or rad]; the rest is "
            "free. In "
            "SE2 an actuated joint may be held, such as \"strut_1_joint=15\"",
-           &choice.slice},
+           &choice.slice, false, Words::assignments},
           {"--load", "FILE", "Take the map from this file if it is of this robot and these options",
            &choice.load_file},
           {"--save", "FILE", "Write the map to this file, with its gates, for --load", &choice.save_file}};

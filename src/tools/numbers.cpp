@@ -32,6 +32,13 @@ std::vector<std::string> split_words(std::string text) {
   return result;
 }
 
+bool holds_numbers(const std::string& text) {
+  const std::vector<std::string> words = split_words(text);
+  return !words.empty() && std::all_of(words.begin(), words.end(), [](const std::string& word) {
+    return finite_number(word).has_value();
+  });
+}
+
 std::vector<std::string> split_at(char separator, const std::string& text) {
   std::vector<std::string> parts(1);
   for (const char letter : text) {

@@ -23,6 +23,9 @@ unsigned parse_count(const std::string& option, const std::string& text, unsigne
 std::vector<double> parse_numbers(const std::string& option, const std::string& text,
                                   const std::vector<std::string>& names, Problems& problems);
 
+/// Whether a text is one finite number or more, separated by blanks or commas.
+bool holds_numbers(const std::string& text);
+
 /// The words of a text, separated by blanks or commas.
 std::vector<std::string> split_words(std::string text);
 

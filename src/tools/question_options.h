@@ -26,6 +26,28 @@ namespace parallel_aspects::tools {
 /// The texts of the options of a question, by field; empty where not given.
 using QuestionTexts = std::map<std::string, std::string>;
 
+/// Of which words the text of such a value is made.
+template <class Value>
+struct WordsOf {
+  static constexpr Words value = Words::one;
+};
+template <class Value>
+struct WordsOf<std::optional<Value>> : WordsOf<Value> {};
+template <>
+struct WordsOf<Pose> {
+  static constexpr Words value = Words::numbers;
+};
+template <>
+struct WordsOf<JointVector> : WordsOf<Pose> {};
+template <>
+struct WordsOf<WorkingMode> {
+  static constexpr Words value = Words::signs;
+};
+template <>
+struct WordsOf<MapSlice> {
+  static constexpr Words value = Words::assignments;
+};
+
 /// Lists the fields of a question as options, which fill `texts`.
 class OptionList {
  public:
@@ -34,7 +56,7 @@ class OptionList {
   template <class Value>
   void operator()(const ask::Field& field, const Value& /*value*/) {
     options_.push_back({option_name(field.name), field.value, ask::with_names(field.help, option_name),
-                        &texts_[field.name]});
+                        &texts_[field.name], false, WordsOf<Value>::value});
   }
 
   const std::vector<Option>& options() const noexcept { return options_; }

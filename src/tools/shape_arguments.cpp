@@ -91,10 +91,11 @@ std::vector<Option> shape_options(ShapeArguments& arguments, bool is_required) {
   return {
       {"--shape", "disc", "Box or square, with edges along the axes; disc, cylinder along z, or ball",
        &arguments.name, is_required},
-      {"--center", "\"x=1 y=2\"", "Hold all or some coordinates of the center [m]", &arguments.center},
+      {"--center", "\"x=1 y=2\"", "Hold all or some coordinates of the center [m]", &arguments.center, false,
+       Words::assignments},
       {"--aspect-ratio", "\"1:2\"",
        "Edges of a box to each other, or diameter to height of a cylinder; by default all equal",
-       &arguments.ratio},
+       &arguments.ratio, false, Words::numbers},
       {"--orientation", "\"phi=-0.2:0.2\"",
        "Where an angle is free: the range of it that must be possible all over the shape [rad]; by default "
        "every one",

@@ -20,13 +20,24 @@ struct Unanswered {
   Report report;
 };
 
-/// `--name VALUE`, or a positional argument where the name has no dashes.
+/// Of how many words of the command line a value is made, and which words go on with it after the first.
+enum class Words {
+  one,
+  numbers,
+  assignments,  ///< words with a "="
+  signs,        ///< words of "+", "-", parentheses, commas and blanks
+  names,        ///< any, once all positional arguments are given
+  files,        ///< of a positional argument: any, one a line of the value
+};
+
+/// `--name VALUE`, or a positional argument where the name has no dashes. `-o` is `--output` too.
 struct Option {
   std::string name;
   std::string placeholder;  ///< stands for the value in the help
   std::string help;
   std::string* value;  ///< where the text goes; untouched where the option is not given
   bool required = false;
+  Words words = Words::one;
 };
 
 /// `--name` without a value.

@@ -24,13 +24,15 @@ class CommandLine : public testing::Test {
     return "";
   }
 
-  std::string robot_, pose_, mode_;
+  std::string robot_, pose_, mode_, slice_, names_;
   bool json_ = false;
   const Subcommand subcommand_{"turn",
                                "Turn the platform",
                                {{"ROBOT", "", "Name of a robot", &robot_},
-                                {"--pose", "\"x y\"", "Pose [m]", &pose_, true},
-                                {"--mode", "SIGNS", "Working mode", &mode_}},
+                                {"--pose", "\"x y\"", "Pose [m]", &pose_, true, Words::numbers},
+                                {"--mode", "SIGNS", "Working mode", &mode_, false, Words::signs},
+                                {"--slice", "\"z=1\"", "What is held", &slice_, false, Words::assignments},
+                                {"--only", "LIST", "Constraints", &names_, false, Words::names}},
                                {},
                                {{"--json", "Print JSON", &json_}}};
 };
@@ -63,6 +65,69 @@ TEST_F(CommandLine, HelpIsAnsweredWhateverElseIsGiven) {
   EXPECT_TRUE(parse({"--pose", "-h"}));
 }
 
+TEST_F(CommandLine, NumbersOfAListMayBeWords) {
+  EXPECT_TRUE(parse({"--pose", "-1", "-2.5e-1", "five_bar"}));
+  EXPECT_EQ(pose_, "-1 -2.5e-1");
+  EXPECT_EQ(robot_, "five_bar");
+  EXPECT_EQ(problem_of({"--pose", "4.5,", "8", "--mode", "+"}), "");
+  EXPECT_EQ(pose_, "4.5, 8");
+  EXPECT_EQ(problem_of({"--pose=4", "5 6", "3_rpr"}), "");
+  EXPECT_EQ(pose_, "4 5 6");
+  EXPECT_EQ(robot_, "3_rpr");
+}
+
+TEST_F(CommandLine, SignsOfAListMayBeWords) {
+  EXPECT_TRUE(parse({"--mode", "-", "+", "-", "five_bar", "--pose", "1"}));
+  EXPECT_EQ(mode_, "- + -");
+  EXPECT_TRUE(parse({"--mode", "--", "(+,-)", "-+", "--pose", "1"}));
+  EXPECT_EQ(mode_, "-- (+,-) -+");
+}
+
+TEST_F(CommandLine, AssignmentsOfAListMayBeWordsUpToTheNextOption) {
+  EXPECT_TRUE(parse({"--slice", "z=1", "roll=-0.5", "--pose=1", "five_bar"}));
+  EXPECT_EQ(slice_, "z=1 roll=-0.5");
+  EXPECT_EQ(pose_, "1");
+  EXPECT_TRUE(parse({"--slice", "z=1", "five_bar", "--pose", "1"}));
+  EXPECT_EQ(slice_, "z=1");
+  EXPECT_EQ(robot_, "five_bar");
+}
+
+TEST_F(CommandLine, NamesOfAListMayBeWordsOnceTheRobotIsGiven) {
+  EXPECT_TRUE(parse({"five_bar", "--only", "cones", "margins", "--pose", "1"}));
+  EXPECT_EQ(names_, "cones margins");
+  EXPECT_TRUE(parse({"--only", "cones", "five_bar", "--pose", "1"}));
+  EXPECT_EQ(names_, "cones");
+  EXPECT_EQ(robot_, "five_bar");
+}
+
+TEST_F(CommandLine, FilesArePositionalValuesALineEach) {
+  std::string parts, whole;
+  const Subcommand merge{
+      "merge", "", {{"PARTS", "", "", &parts, true, Words::files}, {"-o", "FILE", "", &whole, true}}, {}};
+  EXPECT_TRUE(parse_arguments(merge, {"my a.csv", "b.csv", "-o", "whole.csv", "--", "-c.csv"}));
+  EXPECT_EQ(parts, "my a.csv\nb.csv\n-c.csv");
+  EXPECT_EQ(whole, "whole.csv");
+  EXPECT_THROW(parse_arguments(merge, {"a.csv", "", "-o", "whole.csv"}), UsageError);
+}
+
+TEST_F(CommandLine, OutputIsTheLongFormOfO) {
+  std::string file;
+  const Subcommand draw{"draw", "Draw", {{"-o", "FILE", "The picture", &file, true}}, {}};
+  EXPECT_TRUE(parse_arguments(draw, {"--output", "a.svg"}));
+  EXPECT_EQ(file, "a.svg");
+  EXPECT_THROW(parse_arguments(draw, {"--output=a.svg", "-o", "b.svg"}), UsageError);
+  EXPECT_NE(help_of("aspects", draw).find("  -o, --output FILE  The picture\n"), std::string::npos);
+}
+
+TEST_F(CommandLine, TwoDashesEndTheOptions) {
+  EXPECT_TRUE(parse({"--pose", "1", "--", "-h"}));
+  EXPECT_EQ(robot_, "-h");
+  EXPECT_TRUE(parse({"--pose=1", "--mode", "+", "--", "--json"}));
+  EXPECT_EQ(mode_, "+");
+  EXPECT_EQ(robot_, "--json");
+  EXPECT_FALSE(json_);
+}
+
 TEST_F(CommandLine, EveryMisunderstandingHasItsSentence) {
   EXPECT_EQ(problem_of({"five_bar"}), "--pose: it is required; give a value");
   EXPECT_EQ(problem_of({"--pose"}), "--pose: its value is missing");
@@ -77,8 +142,8 @@ TEST_F(CommandLine, EveryMisunderstandingHasItsSentence) {
   EXPECT_EQ(problem_of({"--pose", "1", "--json=no"}), "--json: it takes no value; leave it out");
   json_ = false;
   EXPECT_EQ(problem_of({"--json", "--pose", "1", "--json"}), "--json: it is given twice; give it once");
-  EXPECT_EQ(problem_of({"five_bar", "--pose", "1", "2"}),
-            "'2': there is no place for it; values of several words are quoted");
+  EXPECT_EQ(problem_of({"five_bar", "--pose", "1", "x"}),
+            "'x': there is no place for it; values of several words are quoted");
 }
 
 TEST_F(CommandLine, HelpHasEveryOptionOnALine) {
@@ -86,11 +151,13 @@ TEST_F(CommandLine, HelpHasEveryOptionOnALine) {
             "Turn the platform\n\n"
             "Usage: aspects turn [ROBOT] --pose \"x y\" [OPTIONS]\n\n"
             "Options:\n"
-            "  ROBOT         Name of a robot\n"
-            "  --pose \"x y\"  Pose [m]\n"
-            "  --mode SIGNS  Working mode\n"
-            "  --json        Print JSON\n"
-            "  -h, --help    Print this help and exit\n");
+            "  ROBOT          Name of a robot\n"
+            "  --pose \"x y\"   Pose [m]\n"
+            "  --mode SIGNS   Working mode\n"
+            "  --slice \"z=1\"  What is held\n"
+            "  --only LIST    Constraints\n"
+            "  --json         Print JSON\n"
+            "  -h, --help     Print this help and exit\n");
 }
 
 }  // namespace

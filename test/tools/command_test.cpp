@@ -48,13 +48,23 @@ TEST_F(Command, MisunderstoodCommandLinesAreUsageErrors) {
                                                                      {"plan", "five_bar", "--to", "4 6"},
                                                                      {"check", "five_bar"},
                                                                      {"choose", "five_bar"},
-                                                                     {"ik", "five_bar", "--pose", "1", "2"},
+                                                                     {"ik", "five_bar", "--pose", "1 2", "x"},
                                                                      {"fk", "five_bar", "--joints"}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, exit_code::bad_usage);
     EXPECT_EQ(outcome.output, "");
     EXPECT_NE(outcome.messages, "");
   }
+}
+
+TEST_F(Command, ValuesOfAListAreOneWordOrSeveral) {
+  const std::string quoted = run({"ik", "five_bar", "--pose", "4.5 8"}).output;
+  EXPECT_NE(quoted, "");
+  EXPECT_EQ(run({"ik", "five_bar", "--pose", "4.5", "8"}).output, quoted);
+  EXPECT_EQ(run({"ik", "--pose", "4.5", "8", "five_bar"}).output, quoted);
+  EXPECT_EQ(run({"ik", "--pose=4.5,", "8", "--", "five_bar"}).output, quoted);
+  const std::string distance = run({"distance", "five_bar", "--pose", "4.5 8", "--mode", "-+"}).output;
+  EXPECT_EQ(run({"distance", "--mode", "-", "+", "--pose", "4.5", "8", "five_bar"}).output, distance);
 }
 
 TEST_F(Command, DistancesComeWithBoundsAndWitnesses) {

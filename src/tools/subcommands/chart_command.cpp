@@ -65,8 +65,10 @@ Subcommand chart_subcommand() {
       {{"FILE", "", "That `aspects sweep` or `aspects merge` wrote", &arguments->file, true},
        {"--column", "NAME", "What is drawn, such as largest_lower", &arguments->column, true},
        {"-o", "FILE", "The picture, as SVG or PNG", &arguments->picture, true},
-       {"--over", "\"crank_1 rod_2\"", "One or two parameters; by default those that vary", &arguments->over},
-       {"--at", "\"rod_1=5\"", "Rows with these values alone [m]", &arguments->at}},
+       {"--over", "\"crank_1 rod_2\"", "One or two parameters; by default those that vary", &arguments->over,
+        false, Words::names},
+       {"--at", "\"rod_1=5\"", "Rows with these values alone [m]", &arguments->at, false,
+        Words::assignments}},
       [arguments](const Surroundings&) { return report_of(*arguments); }};
 }
 

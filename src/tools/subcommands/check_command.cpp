@@ -302,7 +302,8 @@ Subcommand check_subcommand() {
   const auto arguments = std::make_shared<CheckArguments>();
   std::vector<Option> options = robot_options(arguments->robot);
   options.push_back(path_option(arguments->path));
-  options.push_back({"--mode", "\"(+,-)\"", "Working mode of the poses, as signs of B_jj", &arguments->mode});
+  options.push_back({"--mode", "\"(+,-)\"", "Working mode of the poses, as signs of B_jj", &arguments->mode,
+                     false, Words::signs});
   options.push_back(
       {"--trajectory", "FILE",
        "Values of the actuated joints: a trajectory_msgs/JointTrajectory in YAML, as rostopic prints it; or "
@@ -311,7 +312,7 @@ Subcommand check_subcommand() {
   options.push_back(
       {"--start-pose", "\"x y\"",
        "About where the platform is at the start, where actuated joints have several assembly modes",
-       &arguments->start_pose});
+       &arguments->start_pose, false, Words::numbers});
   options.push_back({"--policy", "stay|serial",
                      "Of joints. stay: every singularity is a violation, the default. serial: legs may pass "
                      "B_jj = 0, as `plan` has them",

@@ -112,9 +112,10 @@ Subcommand choose_subcommand() {
   options.push_back(path_option(arguments->path));
   options.push_back({"--region", "\"x=-1:1 y=-1:1\"",
                      "A box of poses: a lower and an upper end of each coordinate [m, rad]",
-                     &arguments->region});
+                     &arguments->region, false, Words::assignments});
   options.push_back({"--slice", "\"roll=0 pitch=0 yaw=0\"",
-                     "Pose coordinates that are held in the region [m or rad]", &arguments->slice});
+                     "Pose coordinates that are held in the region [m or rad]", &arguments->slice, false,
+                     Words::assignments});
   options.push_back({"--prefer", "clear",
                      "Which working mode is best: clear, the farthest from singularities, which is the "
                      "default; travel, the least travel of actuated joints; or fast",

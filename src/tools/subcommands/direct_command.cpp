@@ -117,8 +117,8 @@ Subcommand direct_subcommand() {
   const auto choice = std::make_shared<RobotChoice>();
   const auto text = std::make_shared<std::string>();
   std::vector<Option> options = robot_options(*choice);
-  options.push_back({"--joints", "\"q1 q2\"", "Joint values, quoted, in the order of the legs [rad or m]",
-                     text.get(), true});
+  options.push_back({"--joints", "\"q1 q2\"", "Joint values in the order of the legs [rad or m]", text.get(),
+                     true, Words::numbers});
   return {"fk", "Direct kinematics: the pose of every assembly mode", options,
           [choice, text](const Surroundings&) {
             const auto mechanism = load_robot(*choice);

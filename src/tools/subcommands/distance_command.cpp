@@ -220,9 +220,9 @@ Subcommand distance_subcommand() {
   const auto arguments = std::make_shared<DistanceArguments>();
   std::vector<Option> options = robot_options(arguments->robot);
   options.push_back(
-      {"--pose", "\"x y\"", "The pose of the platform, quoted; lengths [m]", &arguments->pose, true});
-  options.push_back(
-      {"--mode", "\"(+,-)\"", "Working mode, as signs of B_jj; by default every one", &arguments->mode});
+      {"--pose", "\"x y\"", "The pose of the platform; lengths [m]", &arguments->pose, true, Words::numbers});
+  options.push_back({"--mode", "\"(+,-)\"", "Working mode, as signs of B_jj; by default every one",
+                     &arguments->mode, false, Words::signs});
   options.push_back({"--tolerance", "T", "Relative gap between the bounds that is aimed at, by default 0.01",
                      &arguments->tolerance});
   options.push_back({"--boxes", "N", "Boxes that one search may evaluate, by default 400; more are tighter",

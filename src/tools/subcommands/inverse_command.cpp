@@ -123,7 +123,8 @@ Subcommand inverse_subcommand() {
   const auto choice = std::make_shared<RobotChoice>();
   const auto text = std::make_shared<std::string>();
   std::vector<Option> options = robot_options(*choice);
-  options.push_back({"--pose", "\"x y\"", "Pose of the platform, quoted; lengths [m]", text.get(), true});
+  options.push_back(
+      {"--pose", "\"x y\"", "Pose of the platform; lengths [m]", text.get(), true, Words::numbers});
   return {"ik", "Inverse kinematics: the joint values of every working mode", options,
           [choice, text](const Surroundings&) {
             const auto mechanism = load_robot(*choice);

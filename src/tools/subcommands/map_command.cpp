@@ -229,16 +229,16 @@ std::vector<Option> options_of(MapArguments& arguments) {
   options.push_back({"--region", "\"x=0:5 y=0:9\"",
                      "Where to look: a lower and an upper end of every position that is free [m]; by default "
                      "all that the legs reach",
-                     &arguments.region});
+                     &arguments.region, false, Words::assignments});
   options.push_back(
       {"--slice", "\"z=1\"",
        "Map a line, plane or volume of poses: what is held, with its value [m or rad]; the "
        "rest is free. In SE2 an actuated joint may be held, such as \"strut_1_joint=15\"; ends of "
        "aspects are then those of (direction, phi), poses still (x, y, phi)",
-       &arguments.slice});
+       &arguments.slice, false, Words::assignments});
   options.push_back({"--mode", "\"(+,-)\"",
-                     "Map these working modes only, as signs of B_jj; by default every one",
-                     &arguments.modes});
+                     "Map these working modes only, as signs of B_jj; by default every one", &arguments.modes,
+                     false, Words::signs});
   options.push_back({"--threads", "N",
                      "Threads to compute with; by default one a core. The result does not depend on it",
                      &arguments.threads});

@@ -187,9 +187,9 @@ Subcommand plot_subcommand() {
   options.push_back(
       {"--section", "\"z=0.3\"",
        "Cut a map of three coordinates: what is held, with its value [m or rad]; in SO3 \"torsion=0\"",
-       &arguments->section});
-  options.push_back(
-      {"--mode", "\"(+,-)\"", "Draw these working modes only, as signs of B_jj", &arguments->modes});
+       &arguments->section, false, Words::assignments});
+  options.push_back({"--mode", "\"(+,-)\"", "Draw these working modes only, as signs of B_jj",
+                     &arguments->modes, false, Words::signs});
   options.push_back(
       {"--index", "NAME",
        "Draw lines of equal index: parallel, or conditioning for isoconditioning lines (the inverse "

@@ -226,9 +226,9 @@ Subcommand setup_subcommand() {
        {"--closures", "PAIRS",
         "What is held together, as \"tool=rod_2_tip\" or \"tool=rod_2@0.4:0:0\" [m], where known; added to "
         "what the URDF closes",
-        &arguments->closures},
+        &arguments->closures, false, Words::assignments},
        {"--actuated", "JOINTS", "Actuated joints, one a leg, such as \"motor_1 motor_2\", where known",
-        &arguments->actuated},
+        &arguments->actuated, false, Words::names},
        {"--platform", "LINK", "Link whose origin is the operational point, where known",
         &arguments->platform},
        {"--base", "LINK", "Link that carries the base, where known", &arguments->base}},

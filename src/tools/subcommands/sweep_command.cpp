@@ -84,7 +84,7 @@ std::vector<Option> options_of(SweepChoice& choice) {
       {"--vary", "\"crank_1=0.2:0.4:21 rod=1\"",
        "Lengths and points by name, as `aspects describe` lists them: a value, or a range with the "
        "number of its values [m]",
-       &arguments.vary, true});
+       &arguments.vary, true, Words::assignments});
   options.push_back(
       {"-o", "FILE", "Rows as CSV; where it is there, the same command goes on with it", &choice.file, true});
   options.push_back({"--sample", "NAME", "grid, which is the default, or sobol", &arguments.sample});
@@ -92,23 +92,29 @@ std::vector<Option> options_of(SweepChoice& choice) {
   options.push_back(
       {"--report", "LIST",
        "What to report of each design: count, which is the default, measures, clearance, workspace",
-       &arguments.figures});
+       &arguments.figures, false, Words::names});
   options.push_back({"--shard", "i/n", "This part of the designs alone, i from 1; `aspects merge` joins them",
                      &arguments.shard});
   options.push_back({"--resolution", "R", "Of each map [m or rad]; by default what suits each design",
                      &arguments.resolution});
   options.push_back({"--slice", "\"z=1\"", "Map what holds these coordinates alone, as of `aspects map`",
-                     &arguments.slice});
-  options.push_back({"--mode", "\"(+,-)\"", "Map these working modes only", &arguments.modes});
+                     &arguments.slice, false, Words::assignments});
+  options.push_back(
+      {"--mode", "\"(+,-)\"", "Map these working modes only", &arguments.modes, false, Words::signs});
   options.push_back({"--threads", "N", "Designs at a time; by default one a core", &choice.threads});
   for (const Option& option : shape_options(arguments.shape, false)) options.push_back(option);
   for (const Option& option : constraint_options(choice.constraints)) options.push_back(option);
   return options;
 }
 
+/// A file a line, with the blanks in its name; or one line of files.
+std::vector<std::string> files_of(const std::string& text) {
+  return text.find('\n') == std::string::npos ? words_of_list(text) : split_at('\n', text);
+}
+
 Report report_of(const MergeArguments& arguments) {
   Problems problems;
-  const std::vector<std::string> files = words_of_list(arguments.parts);
+  const std::vector<std::string> files = files_of(arguments.parts);
   std::vector<NamedFile> inputs;
   for (const std::string& file : files) inputs.push_back({"a part", file});
   check_output_file("-o", arguments.file, problems);
@@ -137,8 +143,7 @@ Subcommand merge_subcommand() {
   const auto arguments = std::make_shared<MergeArguments>();
   return {"merge",
           "Join the parts of a sweep that was computed in shards",
-          {{"PARTS", "", "Files of all shards, separated by blanks or commas; quote them", &arguments->parts,
-            true},
+          {{"PARTS", "", "Files of all shards", &arguments->parts, true, Words::files},
            {"-o", "FILE", "The whole sweep", &arguments->file, true}},
           [arguments](const Surroundings&) { return report_of(*arguments); }};
 }

@@ -212,7 +212,7 @@ Subcommand uniqueness_subcommand() {
                      "In SE2 and SO3: the actuated joint that is held, with its value [m or rad], in SO3 for "
                      "cusps and numbers of solutions; "
                      "without it, in SE2, all poses, where struts and slides have limits",
-                     &arguments->slice});
+                     &arguments->slice, false, Words::assignments});
   options.push_back(
       {"--cusps-over", "\"strut_1_joint=10:32\"",
        "In SE2: the curves that cusps form while this actuated joint is held at each value of the "
@@ -229,7 +229,7 @@ Subcommand uniqueness_subcommand() {
   options.push_back({"--mode", "\"(-,-,-)\"",
                      "Working mode of the poses of the picture, as signs of B_jj; by default that with the "
                      "largest components",
-                     &arguments->mode});
+                     &arguments->mode, false, Words::signs});
   options.push_back({"--samples", "N", "In SO3 and SE3: poses of the certified roadmap, by default 1000",
                      &arguments->roadmap.samples});
   options.push_back(

@@ -138,7 +138,7 @@ std::vector<Option> options_of(WorkspaceArguments& arguments) {
   options.push_back({"--aspect", "N", "In this aspect alone, by its id in `aspects map`", &arguments.aspect});
   options.push_back({"--mode", "\"(+,-)\"",
                      "In these working modes alone; ids are then those of `aspects map --mode`",
-                     &arguments.modes});
+                     &arguments.modes, false, Words::signs});
   options.push_back(
       {"--picture", "FILE", "Draw the aspects with the shapes in them, as SVG or PNG", &arguments.picture});
   for (const Option& option : map_choice_options(arguments.map)) options.push_back(option);
