@@ -31,7 +31,7 @@ std::string lengths_of(const Mechanism::Contents& contents) {
 }
 
 // The list for the YAML, with the lengths that it makes; nothing where it makes no robot.
-std::optional<std::string> list_text(const RecognisedEnds& ends, const ResolvedConfig& listed) {
+std::optional<Note> list_text(const RecognisedEnds& ends, const ResolvedConfig& listed) {
   Problems ignored;
   const auto contents = ends.recognise(ends.tree, listed, ignored);
   if (!contents) return std::nullopt;
@@ -50,11 +50,11 @@ ResolvedConfig as_drawn(const RecognisedEnds& ends) {
 }
 
 // Of a robot that is drawn open.
-std::string note_of_meeting(const RecognisedEnds& ends, const Mechanism::Contents& contents) {
+Note note_of_meeting(const RecognisedEnds& ends, const Mechanism::Contents& contents) {
   const auto drawn = list_text(ends, as_drawn(ends));
   const std::string remedies = remedies_of_places(ends.tree, ends.resolved, ends.files, ends.attempt);
   return "they are taken to meet" + lengths_of(contents) + "; if " +
-         (drawn ? "they are held so, as by simulators, " + *drawn : "") +
+         (drawn ? "they are held so, as by simulators, " + *drawn : Note()) +
          (drawn && !remedies.empty() ? "; if " : "") +
          (!drawn || !remedies.empty() ? "they are to meet at zero, " : "") +
          (!remedies.empty() ? remedies
@@ -62,14 +62,14 @@ std::string note_of_meeting(const RecognisedEnds& ends, const Mechanism::Content
                             : "correct the origins of the joints in their loops");
 }
 
-std::string note_of_holding(const RecognisedEnds& ends, const Mechanism::Contents& contents) {
+Note note_of_holding(const RecognisedEnds& ends, const Mechanism::Contents& contents) {
   const auto together = list_text(ends, as_listed(*ends.tree, ends.resolved));
   const std::string remedies = remedies_of_places(ends.tree, ends.resolved, ends.files, ends.attempt);
   return "they are held so, as by simulators" + lengths_of(contents) + "; if they are to meet, " + remedies +
          (!remedies.empty() && together ? ", or " : "") +
          (together           ? *together
-          : remedies.empty() ? "correct the origins of the joints in their loops"
-                             : "");
+          : remedies.empty() ? Note("correct the origins of the joints in their loops")
+                             : Note());
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ void note_ends(const RecognisedEnds& ends, Mechanism::Contents& contents) {
     std::move(crossed.begin(), crossed.end(), std::back_inserter(contents.notes));
     return;
   }
-  for (std::string& note : misplaced_ends_notes(ends.tree, ends.resolved, ends.files, ends.attempt))
+  for (Note& note : misplaced_ends_notes(ends.tree, ends.resolved, ends.files, ends.attempt))
     contents.notes.push_back(std::move(note));
   const std::string apart = end_gaps_text(*ends.tree, ends.resolved);
   if (apart.empty()) return;

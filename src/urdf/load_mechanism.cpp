@@ -46,14 +46,18 @@ ClosureSystem loops_of(const std::shared_ptr<const Tree>& tree, const ResolvedCo
 }
 
 // Of those that are in no loop.
-std::optional<std::string> joints_left_out(const ClosureSystem& loops, const SourceNames& files) {
-  std::string names;
+std::optional<Note> joints_left_out(const ClosureSystem& loops, const SourceNames& files) {
+  std::vector<std::string> names;
   for (std::size_t joint = 0; joint < loops.in_loop().size(); ++joint)
-    if (!loops.in_loop()[joint])
-      names += (names.empty() ? "'" : ", '") + loops.tree().joint_of(joint).name + "'";
+    if (!loops.in_loop()[joint]) names.push_back(loops.tree().joint_of(joint).name);
   if (names.empty()) return std::nullopt;
-  return files.urdf +
-         " has joints that no closure puts in a loop, which are no part of the robot here: " + names + ".";
+  return files.urdf + " has joints that no closure puts in a loop, which are no part of the robot here: " +
+         listed_names(names) + ".";
+}
+
+[[noreturn]] void refuse(const Culprit& culprit) {
+  if (culprit.has_remedy) throw CorrectableDescription(culprit.problems);
+  throw InvalidDescription(culprit.problems);
 }
 
 // What shows before anything is assembled. Of the joints that a URDF calls actuated, those outside of the
@@ -69,8 +73,7 @@ void check_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& r
   if (problems.empty() && wrong.found.empty()) return;
   const auto joints = std::count(loops.in_loop().begin(), loops.in_loop().end(), true);
   if (search.looks_for_remedies && !resolved.closures.empty() && joints <= max_joints_in_loops) {
-    const Problems culprits = find_culprit_of_ends(tree, resolved, wrong, files, attempt);
-    if (!culprits.empty()) throw InvalidDescription(culprits);
+    if (const auto culprit = find_culprit_of_ends(tree, resolved, wrong, files, attempt)) refuse(*culprit);
   }
   throw InvalidDescription(problems.empty() ? wrong.problems() : problems);
 }
@@ -129,7 +132,7 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     return contents;
   }
   if (!search.looks_for_remedies) throw InvalidDescription(problems);
-  if (const auto culprit = find_culprit(tree, resolved, files, attempt)) throw InvalidDescription({*culprit});
+  if (const auto culprit = find_culprit(tree, resolved, files, attempt)) refuse(*culprit);
   if (!meant && !are_all_welds(resolved.closures) && with_ends_together(*tree, resolved))
     problems = {
         file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
@@ -141,7 +144,7 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
 // Both texts have been read once, so that they are known to parse, or the problem is known.
 ResolvedConfig resolved_names(const Tree& tree, const MechanismConfig& config, const std::string& urdf_text,
                               const std::string& config_text, const SourceNames& files, Problems& problems,
-                              std::vector<std::string>& notes) {
+                              Notes& notes) {
   tinyxml2::XMLDocument document;
   document.Parse(urdf_text.data(), urdf_text.size());
   YAML::Node yaml;
@@ -177,7 +180,7 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   if (const auto text = from_latin_1(urdf_text))
     return load_mechanism(*text, urdf_name, config_text, config_name, frame_prefix, search);
   Problems problems;
-  std::vector<std::string> notes;
+  Notes notes;
   const SourceNames files{urdf_name, config_name, search.as_options};
   MechanismConfig config = read_mechanism_config(config_text, config_name, problems);
   config.frame_prefix = frame_prefix;

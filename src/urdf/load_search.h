@@ -2,12 +2,19 @@
 #ifndef PARALLEL_ASPECTS_URDF_LOAD_SEARCH_H
 #define PARALLEL_ASPECTS_URDF_LOAD_SEARCH_H
 
+#include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/urdf/mechanism.h"
 
 #include <functional>
 #include <string>
 
 namespace parallel_aspects {
+
+/// Thrown where corrections were tried that make a robot of a description; its problems name them.
+class CorrectableDescription : public InvalidDescription {
+ public:
+  using InvalidDescription::InvalidDescription;
+};
 
 /// How a mechanism is looked for.
 struct LoadSearch {

@@ -28,7 +28,8 @@ SharedMechanism::SharedMechanism(std::shared_ptr<const Mechanism> mechanism)
   if (!mechanism_) throw InvalidDescription({});
 }
 
-Mechanism::Mechanism(std::unique_ptr<const Contents> contents) : contents_(std::move(contents)) {}
+Mechanism::Mechanism(std::unique_ptr<const Contents> contents)
+    : contents_(std::move(contents)), notes_(texts_of(contents_->notes)) {}
 Mechanism::~Mechanism() = default;
 
 const std::shared_ptr<const Manipulator>& Mechanism::manipulator() const noexcept {
@@ -45,7 +46,8 @@ const std::vector<std::string>& Mechanism::link_names() const noexcept {
 
 const std::vector<std::string>& Mechanism::joint_names() const noexcept { return contents_->joint_names; }
 const std::vector<JointLimits>& Mechanism::joint_limits() const noexcept { return contents_->joint_limits; }
-const std::vector<std::string>& Mechanism::notes() const noexcept { return contents_->notes; }
+const std::vector<std::string>& Mechanism::notes() const noexcept { return notes_; }
+const std::vector<Note>& Mechanism::notes_in_pieces() const noexcept { return contents_->notes; }
 int Mechanism::mobility() const noexcept { return contents_->mobility; }
 int Mechanism::idle_degrees_of_freedom() const noexcept { return contents_->idle_degrees_of_freedom; }
 

@@ -4,6 +4,7 @@
 
 #include "aspects/symmetry/near_symmetry.h"
 #include "parallel_aspects/urdf/mechanism.h"
+#include "urdf/description/note.h"
 #include "urdf/recognition/completion.h"
 
 #include <memory>
@@ -19,7 +20,7 @@ struct Mechanism::Contents {
   std::string platform_frame;
   std::vector<std::string> joint_names;
   std::vector<JointLimits> joint_limits;
-  std::vector<std::string> notes;
+  Notes notes;
   int mobility = 0;
   int idle_degrees_of_freedom = 0;
   double accepted_residual = 0.0;  ///< what rounding in the description costs, over the size of the robot

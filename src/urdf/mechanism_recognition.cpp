@@ -103,7 +103,7 @@ class Recogniser {
         chains.push_back(*chain);
         continue;
       }
-      const std::string names = joint_names_of(one.chains.front());
+      const std::string names = joint_names_of(one.chains.front()).text();
       if (!moves)
         problems.push_back(files_.config + " actuates none of the joints " + names +
                            ", which make one leg; add one of them to " + files_.key("actuated_joints") +
@@ -125,11 +125,11 @@ class Recogniser {
   }
 
   void note_still_joints(const std::vector<bool>& still, Mechanism::Contents& contents) const {
-    std::string names;
+    std::vector<std::string> names;
     for (std::size_t joint = 0; joint < still.size(); ++joint)
-      if (still[joint]) names += (names.empty() ? "'" : ", '") + tree_->joint_of(joint).name + "'";
+      if (still[joint]) names.push_back(tree_->joint_of(joint).name);
     contents.notes.push_back("The loops of " + files_.urdf +
-                             " hold joints still, which are taken as fixed: " + names + ".");
+                             " hold joints still, which are taken as fixed: " + listed_names(names) + ".");
   }
 
   void report_gap(const ClosureSystem& system, const Eigen::VectorXd& closest, Problems& problems) const {
@@ -225,10 +225,9 @@ class Recogniser {
     }
   }
 
-  std::vector<std::string> notes_of(const std::vector<RecognisedLeg>& legs,
-                                    const std::vector<PassiveChain>& passive, const SlideBounds& bounds,
-                                    TaskSpace space) const {
-    std::vector<std::string> notes = notes_on(passive, bounds, *tree_, space);
+  Notes notes_of(const std::vector<RecognisedLeg>& legs, const std::vector<PassiveChain>& passive,
+                 const SlideBounds& bounds, TaskSpace space) const {
+    Notes notes = notes_on(passive, bounds, *tree_, space);
     for (const RecognisedLeg& leg : legs) {
       const double range = leg.leg.limits.upper - leg.leg.limits.lower;
       if (range > locked_range) continue;

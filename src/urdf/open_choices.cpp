@@ -52,14 +52,15 @@ std::vector<std::vector<Closure>> mixtures(const std::vector<Closure>& closures)
 }
 
 // "point ('a - b') and revolute ('c - d', 'e - f')", of the closures whose types were open.
-std::string listed_types(const std::vector<Closure>& open, const std::vector<Closure>& taken) {
-  std::string text;
+Note listed_types(const std::vector<Closure>& open, const std::vector<Closure>& taken) {
+  Note text;
   for (const ClosureType type : {ClosureType::point, ClosureType::revolute}) {
-    std::string names;
+    std::vector<std::string> names;
     for (std::size_t k = 0; k < open.size(); ++k)
-      if (is_open(open[k]) && taken[k].type == type)
-        names += (names.empty() ? "'" : ", '") + taken[k].name + "'";
-    if (!names.empty()) text += (text.empty() ? "" : " and ") + std::string(name(type)) + " (" + names + ")";
+      if (is_open(open[k]) && taken[k].type == type) names.push_back(taken[k].name);
+    if (names.empty()) continue;
+    text +=
+        (text.pieces().empty() ? "" : " and ") + std::string(name(type)) + " (" + listed_names(names) + ")";
   }
   return text;
 }
@@ -130,10 +131,10 @@ class OpenChoices {
     return contents;
   }
 
-  Contents find_type(const std::vector<Closure>& closures, const std::vector<ClosureType>& types,
-                     std::string& taken, Problems& problems) const {
+  Contents find_type(const std::vector<Closure>& closures, const std::vector<ClosureType>& types, Note& taken,
+                     Problems& problems) const {
     for (const ClosureType type : types) {
-      taken = name(type);
+      taken = std::string(name(type));
       if (Contents contents = recognise(with_type(closures, type), problems)) return contents;
     }
     if (joints_in_loops(closures) > max_joints_of_mixed) return nullptr;
@@ -150,7 +151,7 @@ class OpenChoices {
   }
 
   Contents find_types(const std::vector<Closure>& closures, Problems& problems) const {
-    std::string taken;
+    Note taken;
     Contents contents = find_type(
         closures, {ClosureType::point, ClosureType::revolute, ClosureType::universal, ClosureType::fixed},
         taken, problems);
@@ -177,7 +178,7 @@ class OpenChoices {
 
   Contents find_turning(double size, const std::string& where, Problems& problems) const {
     std::array<Contents, 2> found;
-    std::array<std::string, 2> taken;
+    std::array<Note, 2> taken;
     std::array<std::vector<Closure>, 2> closures;
     for (const std::size_t end : {0, 1}) {
       closures[end] = turned_at(resolved_.closures, end == 0);
@@ -204,15 +205,14 @@ class OpenChoices {
   }
 
   // " at the origin of 'a', 'b'" of welds that hold two origins apart.
-  std::string places(const std::vector<Closure>& closures, double size) const {
-    std::string text;
+  Note places(const std::vector<Closure>& closures, double size) const {
+    std::vector<std::string> links;
     for (const Closure& closure : closures) {
       if (!is_end_open(closure, size)) continue;
       const bool at_first = closure.frames[0].in_link.translation().isZero(0.0);
-      text += (text.empty() ? " at the origin of '" : ", '") +
-              tree_->links[closure.frames[at_first ? 0 : 1].link] + "'";
+      links.push_back(tree_->links[closure.frames[at_first ? 0 : 1].link]);
     }
-    return text;
+    return links.empty() ? Note() : " at the origin of " + listed_names(links);
   }
 
   // With the first of the two origins, as the YAML has it.
@@ -251,11 +251,10 @@ std::string joint_list(const Tree& tree, const std::vector<std::size_t>& variabl
   return text + "]";
 }
 
-std::string quoted_joints(const Tree& tree, const std::vector<std::size_t>& variables) {
-  std::string text;
-  for (const std::size_t variable : variables)
-    text += (text.empty() ? "'" : ", '") + tree.joint_of(variable).name + "'";
-  return text;
+Note quoted_joints(const Tree& tree, const std::vector<std::size_t>& variables) {
+  std::vector<std::string> names;
+  for (const std::size_t variable : variables) names.push_back(tree.joint_of(variable).name);
+  return listed_names(names);
 }
 
 using Choice = std::vector<std::size_t>;
@@ -335,7 +334,7 @@ class OpenActuation {
       fitting += (fitting.empty() ? "" : " and ") + joint_list(*tree_, choice);
     return files_.config + " does not say " + files_.full_key("actuated_joints") + ", and " +
            std::to_string(described.size()) + " joints " + resolved_.actuation_origin + ", " +
-           quoted_joints(*tree_, described) + "; " +
+           quoted_joints(*tree_, described).text() + "; " +
            (working_.empty() ? "no choice of one, two, three or six of them was found to make a manipulator"
                              : "the mobility fits " + fitting) +
            ", so list those that are actuated.";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/stated_constraints.h"
 
+#include "urdf/description/nearest_name.h"
 #include "urdf/symmetrizing.h"
 
 #include <algorithm>
@@ -55,10 +56,13 @@ class FullTurns {
 
   bool any() const { return !names_.empty(); }
 
-  std::string note(const SourceNames& files) const {
-    return files.urdf +
-           " limits joints to less than 0.01 rad below a full turn, which bounds no aspect: " + names_ +
-           "; constraints: {strict_limits: true} in " + files.config + " takes the limits as they are.";
+  Note note(const SourceNames& files) const {
+    Note note = files.urdf +
+                " limits joints to less than 0.01 rad below a full turn, which bounds no aspect: " +
+                listed_names(names_) + "; constraints: {strict_limits: true} in " + files.config +
+                " takes the limits as they are.";
+    note.is_on_limits_left_out = true;
+    return note;
   }
 
  private:
@@ -70,13 +74,12 @@ class FullTurns {
 
   bool is_left_out(const std::string& joint) {
     if (!turns(joint)) return false;
-    if (names_.find("'" + joint + "'") == std::string::npos)
-      names_ += (names_.empty() ? "'" : ", '") + joint + "'";
+    if (!contains(names_, joint)) names_.push_back(joint);
     return true;
   }
 
   const Tree& tree_;
-  std::string names_;
+  std::vector<std::string> names_;
 };
 
 // Those that the loader found; a workspace that slides leave bounds the stated one.
@@ -113,7 +116,7 @@ void add_stated_constraints(const ConstraintsConfig& config, std::optional<doubl
   try {
     contents.manipulator = std::make_shared<const Manipulator>(description);
     if (symmetrize) {
-      std::vector<std::string> unused;  // what bounds maps is said
+      Notes unused;  // what bounds maps is said
       const double size = contents.manipulator->size();
       symmetrize_constraints(description, contents.symmetric, size, *symmetrize, files, unused);
       symmetrize_constraints(mapped, contents.symmetric, size, *symmetrize, files, contents.notes);

@@ -124,7 +124,7 @@ std::optional<std::string> note_on_symmetry(const Mechanism::Contents& contents,
 }
 
 void symmetrize_constraints(ManipulatorDescription& robot, const SymmetricLegs& legs, double size,
-                            double tolerance, const SourceNames& files, std::vector<std::string>& notes) {
+                            double tolerance, const SourceNames& files, Notes& notes) {
   if (legs.motions.empty()) return;
   SymmetricConstraints found = nearest_symmetric_constraints(robot, legs, size, tolerance);
   robot.constraints = std::move(found.constraints);

@@ -27,7 +27,7 @@ std::optional<std::string> note_on_symmetry(const Mechanism::Contents& contents,
 /// Makes the constraints of a robot symmetric, too, under the motions of its legs. Notes say what was moved
 /// by how much, and what keeps maps from using the symmetry.
 void symmetrize_constraints(ManipulatorDescription& robot, const SymmetricLegs& legs, double size,
-                            double tolerance, const SourceNames& files, std::vector<std::string>& notes);
+                            double tolerance, const SourceNames& files, Notes& notes);
 
 }  // namespace parallel_aspects
 

@@ -15,6 +15,8 @@
 
 namespace parallel_aspects {
 
+class Note;  // in the sources, as it is for what shows notes here
+
 /// A pose of the platform and the joint values that go with it.
 struct AssembledConfiguration {
   Pose pose;      ///< in the task frame
@@ -87,8 +89,12 @@ class Mechanism {
   /// messages.
   const std::vector<std::string>& notes() const noexcept;
 
+  /// The same with the lists of names in them apart.
+  const std::vector<Note>& notes_in_pieces() const noexcept;
+
  private:
   std::unique_ptr<const Contents> contents_;
+  std::vector<std::string> notes_;
 };
 
 /// Shares a mechanism that is there: never null, so that what loads a robot gives one or throws.

@@ -58,7 +58,7 @@ RobotVisuals::RobotVisuals(std::shared_ptr<const Mechanism> mechanism, const std
       radius_(radius),
       base_frame_(mechanism_->manipulator()->base_frame()) {
   Problems problems;
-  std::vector<std::string> notes;  // said by the loader
+  Notes notes;  // said by the loader
   auto tree = read_tree(urdf, "robot_description", problems, notes);
   if (!tree) return;
   tree_ = std::move(*tree);

@@ -38,13 +38,11 @@ void add_missing_joints(const Manipulator& manipulator, const std::string& what,
   const std::vector<std::string>& missing = manipulator.constraints().missing_joints;
   report.json["joints_not_limited"] = missing;
   if (missing.empty()) return;
-  std::string names;
-  for (const std::string& joint : missing) names += (names.empty() ? "'" : ", '") + joint + "'";
   const bool one = missing.size() == 1;
-  report.text +=
-      notes_text({"The limits of " + std::string(one ? "joint " : "joints ") + names + " do not bound the " +
-                  what + ", since distances do not tell where " + (one ? "it is." : "they are.")},
-                 verbose);
+  report.text += notes_text(
+      {"The limits of " + std::string(one ? "joint " : "joints ") + listed_names(missing) +
+       " do not bound the " + what + ", since distances do not tell where " + (one ? "it is." : "they are.")},
+      verbose);
 }
 
 }  // namespace

@@ -7,14 +7,13 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <regex>
 #include <sstream>
 
 namespace parallel_aspects::tools {
 namespace {
 
-constexpr std::ptrdiff_t max_names = 4;  // that a note lists
-constexpr std::ptrdiff_t shown_names = max_names - 1;
+constexpr std::size_t max_names = 4;  // that a note lists
+constexpr std::size_t shown_names = max_names - 1;
 constexpr double degrees_in_radian = 180.0 / EIGEN_PI;
 
 std::string with_digits(double value, int digits) {
@@ -110,35 +109,25 @@ std::string shown_angle(double radians) {
   return shown(degrees_in_radian * radians) + " deg (" + shown(radians) + " rad)";
 }
 
-// Notes have names in single quotes; a list of them is separated by commas.
-std::string shortened(const std::string& note) {
-  static const std::regex list("'[^']*'(?:, '[^']*')+"), name("'[^']*'");
+std::string shortened(const Note& note) {
   std::string text;
-  std::sregex_iterator found(note.begin(), note.end(), list), none;
-  std::string::const_iterator done = note.begin();
-  for (; found != none; ++found) {
-    const std::string names = found->str();
-    std::sregex_iterator each(names.begin(), names.end(), name);
-    const std::ptrdiff_t count = std::distance(each, none);
-    text.append(done, note.begin() + found->position());
-    done = note.begin() + found->position() + found->length();
-    if (count <= max_names) {
-      text += names;
-      continue;
-    }
-    std::advance(each, shown_names - 1);
-    text += names.substr(0, static_cast<std::size_t>(each->position() + each->length())) + " and " +
-            std::to_string(count - shown_names) + " more";
+  for (const Note::Piece& piece : note.pieces()) {
+    const std::vector<std::string>& items = piece.items;
+    if (piece.kind != Note::Piece::Kind::names || items.size() <= max_names)
+      text += piece.text();
+    else
+      text += listed_names({items.begin(), items.begin() + shown_names}).text() + " and " +
+              std::to_string(items.size() - shown_names) + " more";
   }
-  return text.append(done, note.end());
+  return text;
 }
 
-std::string notes_text(const std::vector<std::string>& notes, bool verbose) {
+std::string notes_text(const Notes& notes, bool verbose) {
   std::string text;
   bool whole = true;
-  for (const std::string& note : notes) {
-    const std::string line = verbose ? note : shortened(note);
-    whole = whole && line == note;
+  for (const Note& note : notes) {
+    const std::string line = verbose ? note.text() : shortened(note);
+    whole = whole && line == note.text();
     text += "note: " + line + '\n';
   }
   return text + (whole ? "" : "--verbose lists all names of these notes.\n");

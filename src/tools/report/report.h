@@ -6,6 +6,7 @@
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/singularity/indices.h"
+#include "urdf/description/note.h"
 
 #include <nlohmann/json.hpp>
 
@@ -74,10 +75,10 @@ std::string shown_angle(double radians);
 
 /// A note for people: where it names more than four joints or links in a row, the first three and how many
 /// more there are.
-std::string shortened(const std::string& note);
+std::string shortened(const Note& note);
 
 /// Each note on a line of its own; unless `verbose` shortened, and then where the rest is found.
-std::string notes_text(const std::vector<std::string>& notes, bool verbose);
+std::string notes_text(const Notes& notes, bool verbose);
 
 /// JSON as text: indented, valid UTF-8 whatever is in the names, with a line end.
 std::string to_text(const nlohmann::json& json);

@@ -236,7 +236,7 @@ std::string mechanism_text(const Mechanism& mechanism, bool verbose) {
   text += leg_table(manipulator);
   text += "\nworking modes, as signs of B_jj:" + modes_text(manipulator) + "\n";
   text += joints_text(mechanism) + margins_text(mechanism) + report_cones(manipulator, verbose).text;
-  return text + notes_text(mechanism.notes(), verbose);
+  return text + notes_text(mechanism.notes_in_pieces(), verbose);
 }
 
 }  // namespace

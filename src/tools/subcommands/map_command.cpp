@@ -276,8 +276,8 @@ Report report_of(MapArguments arguments, const Surroundings& surroundings) {
     return roadmap_report(manipulator, home, arguments, section, surroundings);
   add_coverage(arguments, section, *manipulator, home, map_options);
   Report report = load_or_compute(manipulator, map_options, arguments, surroundings);
-  for (const std::string& note : mechanism->notes())
-    if (note.find("bounds no aspect") != std::string::npos) report.text += "\nnote: " + note + "\n";
+  for (const Note& note : mechanism->notes_in_pieces())
+    if (note.is_on_limits_left_out) report.text += "\nnote: " + note.text() + "\n";
   return report;
 }
 

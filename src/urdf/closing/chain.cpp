@@ -369,10 +369,11 @@ std::string names_of(const Chain& chain) {
   return text;
 }
 
-std::string joint_names_of(Chain chain) {
-  chain.erase(std::remove_if(chain.begin(), chain.end(), [](const Pivot& pivot) { return !pivot.variable; }),
-              chain.end());
-  return names_of(chain);
+Note joint_names_of(const Chain& chain) {
+  std::vector<std::string> names;
+  for (const Pivot& pivot : chain)
+    if (pivot.variable) names.push_back(pivot.name);
+  return listed_names(std::move(names));
 }
 
 FoundLegs find_legs(const AssembledMechanism& mechanism, const ActuatedJoints& actuated_joints,

@@ -5,6 +5,7 @@
 #include "parallel_aspects/model/problems.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/description/closure.h"
+#include "urdf/description/note.h"
 #include "urdf/description/source_names.h"
 
 #include <Eigen/Core>
@@ -75,7 +76,7 @@ std::string operational_point_text(const Tree& tree, std::size_t platform_link, 
 std::string names_of(const Chain& chain);
 
 /// The same without closures.
-std::string joint_names_of(Chain chain);
+Note joint_names_of(const Chain& chain);
 
 /// Legs and passive chains. What is wrong (a leg with two actuated joints, legs that share a link, a link of
 /// a planar leg without length, a platform fixed to the base) is added to `problems`, each a message that

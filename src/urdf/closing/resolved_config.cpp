@@ -37,7 +37,7 @@ bool are_same(const Closure& one, const Closure& other) {
 
 class NameResolver {
  public:
-  NameResolver(const LoopSource& source, Problems& problems, std::vector<std::string>& notes)
+  NameResolver(const LoopSource& source, Problems& problems, Notes& notes)
       : source_(source), tree_(source.tree), files_(source.files), problems_(problems), notes_(notes) {}
 
   ResolvedConfig resolve(const MechanismConfig& config) {
@@ -188,7 +188,7 @@ class NameResolver {
   const Tree& tree_;
   const SourceNames& files_;
   Problems& problems_;
-  std::vector<std::string>& notes_;
+  Notes& notes_;
   std::vector<std::string> described_joints_;                                // by the dialect of the closures
   std::string actuated_joints_named_in_ = files_.config + " names joint '";  // for messages, around the name
   std::string actuated_joints_named_by_ = "' in mechanism.actuated_joints, but ";
@@ -205,11 +205,11 @@ const std::string& file_of_closures(const ResolvedConfig& resolved, const Source
 }
 
 ResolvedConfig resolve_config(const MechanismConfig& config, const LoopSource& source, Problems& problems,
-                              std::vector<std::string>& notes) {
+                              Notes& notes) {
   return NameResolver(source, problems, notes).resolve(config);
 }
 
-std::optional<std::string> leave_out_repeated(ResolvedConfig& resolved, const SourceNames& files) {
+std::optional<Note> leave_out_repeated(ResolvedConfig& resolved, const SourceNames& files) {
   std::vector<Closure> once;
   std::vector<std::string> repeated;
   for (const Closure& closure : resolved.closures) {
@@ -223,8 +223,7 @@ std::optional<std::string> leave_out_repeated(ResolvedConfig& resolved, const So
   const bool is_twice = resolved.closures.size() == once.size() + 1;
   resolved.closures = once;
   if (repeated.empty()) return std::nullopt;
-  std::string names;
-  for (const std::string& name : repeated) names += (names.empty() ? "'" : ", '") + name + "'";
+  const Note names = listed_names(repeated);
   return file_of_closures(resolved, files) + " lists " +
          (is_twice              ? "closure " + names + " twice, which counts once; leave out one entry."
           : repeated.size() > 1 ? "closures " + names +

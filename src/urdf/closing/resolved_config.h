@@ -6,6 +6,7 @@
 #include "urdf/closing/chain.h"
 #include "urdf/config/mechanism_config.h"
 #include "urdf/description/closure.h"
+#include "urdf/description/note.h"
 #include "urdf/description/tree.h"
 #include "urdf/dialects/closure_dialects.h"
 
@@ -31,10 +32,10 @@ const std::string& file_of_closures(const ResolvedConfig& resolved, const Source
 /// `source`; actuated joints that it does not list come from there too, or else from `<ros2_control>` and
 /// transmissions; `notes` say so. What is wrong is added to `problems`.
 ResolvedConfig resolve_config(const MechanismConfig& config, const LoopSource& source, Problems& problems,
-                              std::vector<std::string>& notes);
+                              Notes& notes);
 
 /// Leaves out closures that are listed before, with a note where there are any.
-std::optional<std::string> leave_out_repeated(ResolvedConfig& resolved, const SourceNames& files);
+std::optional<Note> leave_out_repeated(ResolvedConfig& resolved, const SourceNames& files);
 
 /// Makes an operational point that is not a link one: a link of its own at the end of `tree`, fixed to that
 /// in whose frame it is given. A name that is taken is added to `problems`; a link that does not exist is

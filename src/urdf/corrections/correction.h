@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_URDF_CORRECTIONS_CORRECTION_H
 
 #include "urdf/closing/resolved_config.h"
+#include "urdf/description/note.h"
 #include "urdf/description/source_names.h"
 #include "urdf/description/tree.h"
 
@@ -16,7 +17,7 @@ namespace parallel_aspects {
 /// fault shows where the corrected description is recognised.
 struct Correction {
   std::string element;  ///< "joint 'a'", "closure 'a - b'"; corrections of one element exclude each other
-  std::string fault;    ///< "robot.urdf lets joint 'a' turn about (1, 0, 0)"
+  Note fault;           ///< "robot.urdf lets joint 'a' turn about (1, 0, 0)"
   std::string remedy;   ///< "write <axis xyz=\"0 0 1\"/> for joint 'a'"
   bool like_others = false;  ///< whether it makes the element what most others of its kind are
   std::function<void(Tree&, ResolvedConfig&)> apply;

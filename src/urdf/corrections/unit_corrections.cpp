@@ -61,15 +61,17 @@ std::vector<std::size_t> slides_in(Unit unit, const Tree& tree, const LoopJoints
 Correction metres_for_limits(Unit unit, const Tree& tree, const std::vector<std::size_t>& slides, double size,
                              const SourceNames& files) {
   const double metres = unit == Unit::millimetres ? millimetre : 1.0 / millimetre;
-  std::string names, remedy;
+  std::vector<std::string> slide_names;
+  std::string remedy;
   for (const std::size_t joint : slides) {
     const JointLimits& limits = tree.joints[joint].limits;
-    names += (names.empty() ? "'" : ", '") + tree.joints[joint].name + "'";
+    slide_names.push_back(tree.joints[joint].name);
     remedy += (remedy.empty() ? "write lower=\"" : " and write lower=\"") +
               number_text(metres * limits.lower) + "\" upper=\"" + number_text(metres * limits.upper) +
               "\" for joint '" + tree.joints[joint].name + "'";
   }
-  return {"limits of " + names,
+  const Note names = listed_names(slide_names);
+  return {("limits of " + names).text(),
           files.urdf + " is " + number_text(size, 3) + " m wide, but has limits of slides, " + names +
               (unit == Unit::millimetres ? ", as if in millimetres" : ", as if divided by 1000"),
           remedy, true, [slides, metres](Tree& changed, ResolvedConfig&) {

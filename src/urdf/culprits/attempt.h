@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_CULPRITS_ATTEMPT_H
 #define PARALLEL_ASPECTS_URDF_CULPRITS_ATTEMPT_H
 
+#include "parallel_aspects/model/problems.h"
 #include "urdf/closing/resolved_config.h"
 #include "urdf/description/tree.h"
 
@@ -15,6 +16,16 @@ namespace parallel_aspects {
 /// What a description would be recognised as: "T2" and so on; nothing where it is refused.
 using Attempt =
     std::function<std::optional<std::string>(const std::shared_ptr<const Tree>&, const ResolvedConfig&)>;
+
+/// Why a description makes no robot.
+struct Culprit {
+  Problems problems;
+  bool has_remedy = false;  ///< whether they name corrections of it that were tried and make a robot
+};
+
+/// With one problem.
+inline Culprit with_remedy(const Note& problem) { return {{problem.text()}, true}; }
+inline Culprit without_remedy(const std::string& problem) { return {{problem}, false}; }  ///< likewise
 
 }  // namespace parallel_aspects
 

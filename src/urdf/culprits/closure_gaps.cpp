@@ -193,14 +193,13 @@ std::vector<std::size_t> held_beside_ends(const Tree& tree, const ResolvedConfig
   return beside;
 }
 
-std::string closures_entry(const Tree& tree, const std::vector<Closure>& closures) {
-  std::string list;
+Note closures_entry(const Tree& tree, const std::vector<Closure>& closures) {
+  std::vector<std::string> list;
   for (const Closure& closure : closures)
-    list += (list.empty() ? "{frames: [" : ", {frames: [") +
-            as_yaml(tree, as_seen(closure.frames[0], closure.type)) + ", " +
-            as_yaml(tree, as_seen(closure.frames[1], closure.type)) +
-            "], type: " + std::string(name(closure.type)) + "}";
-  return "closures: [" + list + "]";
+    list.push_back("{frames: [" + as_yaml(tree, as_seen(closure.frames[0], closure.type)) + ", " +
+                   as_yaml(tree, as_seen(closure.frames[1], closure.type)) +
+                   "], type: " + std::string(name(closure.type)) + "}");
+  return {Note::Piece::Kind::closures, list};
 }
 
 // Options name links alone.
@@ -219,8 +218,9 @@ std::optional<std::string> list_of_ends(const std::shared_ptr<const Tree>& tree,
     pairs.push_back(tree->links[closure.frames[0].link] + "=" + tree->links[closure.frames[1].link]);
   }
   if (!attempt(tree, listed)) return std::nullopt;
-  return files.as_options ? files.entry("closures", pairs)
-                          : closures_entry(*tree, listed.closures) + " under mechanism in " + files.config;
+  return files.as_options
+             ? files.entry("closures", pairs)
+             : closures_entry(*tree, listed.closures).text() + " under mechanism in " + files.config;
 }
 
 std::string end_gaps_text(const Tree& tree, const ResolvedConfig& resolved) {

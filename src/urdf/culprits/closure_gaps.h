@@ -6,6 +6,7 @@
 
 #include "urdf/closing/resolved_config.h"
 #include "urdf/culprits/attempt.h"
+#include "urdf/description/note.h"
 #include "urdf/description/source_names.h"
 
 #include <memory>
@@ -65,7 +66,7 @@ class EndGaps {
 };
 
 /// "closures: [{frames: [a, b], type: point}]", as the YAML has them.
-std::string closures_entry(const Tree& tree, const std::vector<Closure>& closures);
+Note closures_entry(const Tree& tree, const std::vector<Closure>& closures);
 
 /// The list that holds ends together, and where to write it; nothing where that makes no robot.
 std::optional<std::string> list_of_ends(const std::shared_ptr<const Tree>& tree,

@@ -29,29 +29,29 @@ class CorrectionSearch {
   CorrectionSearch(std::shared_ptr<const Tree> tree, const ResolvedConfig& resolved, bool closes,
                    const SourceNames& files, const Attempt& attempt);
 
-  /// Those of what closures hold: a message if any works. It lists those of joints that work as well, first.
-  std::optional<std::string> of_frames();
+  /// Those of what closures hold: why, if any works. It lists those of joints that work as well, first.
+  std::optional<Culprit> of_frames();
 
   /// Those of a closure that holds another place of the platform than its operational point.
-  std::optional<std::string> of_point();
+  std::optional<Culprit> of_point();
 
   /// Those of legs that lack a joint.
-  std::optional<std::string> of_missing_joints();
+  std::optional<Culprit> of_missing_joints();
 
   /// Those of chains between base and platform that no actuated joint is in.
-  std::optional<std::string> of_chains();
+  std::optional<Culprit> of_chains();
 
   /// Those of frames, each together with one of the actuated joints.
-  std::optional<std::string> of_frames_and_actuation();
+  std::optional<Culprit> of_frames_and_actuation();
 
-  /// Those that make an element like others of its kind: a message if any works.
-  std::optional<std::string> like_others();
+  /// Those that make an element like others of its kind: why, if any works.
+  std::optional<Culprit> like_others();
 
   /// All others.
-  std::optional<std::string> others();
+  std::optional<Culprit> others();
 
   /// Those of these that work.
-  std::optional<std::string> working_of(const Corrections& corrections);
+  std::optional<Culprit> working_of(const Corrections& corrections);
 
  private:
   struct Working {
@@ -61,7 +61,7 @@ class CorrectionSearch {
 
   void collect();
   bool takes_in_joints(const Correction& correction) const;
-  std::string with_rivals();
+  Culprit with_rivals();
   Corrections with_actuation(const Corrections& kind) const;
   std::vector<std::size_t> open_loops() const;
   std::vector<std::size_t> suspected_closures() const;
@@ -70,7 +70,7 @@ class CorrectionSearch {
   bool closes_and_moves(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& config);
   bool closes_and_moves(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& config,
                         ClosureType type_of_open_ones);
-  std::string message() const;
+  Culprit culprit() const;
 
   std::shared_ptr<const Tree> tree_;
   const ResolvedConfig& resolved_;

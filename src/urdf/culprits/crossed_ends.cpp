@@ -71,9 +71,9 @@ class CrossedPlaces {
 };
 
 // Nothing where the ends make no robot in this order.
-std::optional<std::string> note(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                                const Correction& exchange, const std::string& reason,
-                                const SourceNames& files, const Attempt& attempt) {
+std::optional<Note> note(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                         const Correction& exchange, const std::string& reason, const SourceNames& files,
+                         const Attempt& attempt) {
   Tree same = *tree;
   ResolvedConfig exchanged = resolved;
   exchange.apply(same, exchanged);
@@ -86,13 +86,12 @@ std::optional<std::string> note(const std::shared_ptr<const Tree>& tree, const R
 
 }  // namespace
 
-std::vector<std::string> crossed_ends_notes(const std::shared_ptr<const Tree>& tree,
-                                            const ResolvedConfig& resolved, const SourceNames& files,
-                                            const Attempt& attempt) {
+Notes crossed_ends_notes(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                         const SourceNames& files, const Attempt& attempt) {
   if (const auto by_names = ends_paired_by_names(*tree, resolved, files))
     if (auto text = note(tree, resolved, *by_names, "as their names say", files, attempt)) return {*text};
   const CrossedPlaces crossed(*tree, resolved);
-  std::vector<std::string> notes;
+  Notes notes;
   for (const Correction& exchange : exchanged_ends(*tree, resolved, files, true)) {
     Tree same = *tree;
     ResolvedConfig exchanged = resolved;

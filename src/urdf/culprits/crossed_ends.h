@@ -14,9 +14,8 @@ namespace parallel_aspects {
 
 /// Closures of a robot that loads whose ends are exchanged, as their names say, or the places of their ends
 /// while all joints are zero; with the list for the YAML that has them in order.
-std::vector<std::string> crossed_ends_notes(const std::shared_ptr<const Tree>& tree,
-                                            const ResolvedConfig& resolved, const SourceNames& files,
-                                            const Attempt& attempt);
+Notes crossed_ends_notes(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                         const SourceNames& files, const Attempt& attempt);
 
 }  // namespace parallel_aspects
 

@@ -40,39 +40,41 @@ class Search {
         assembled_(
             assemble(system_, resolved.actuated_joints.variables, resolved.actuated_joints.platform_link)) {}
 
-  std::optional<std::string> run() {
-    if (auto message = wrong_ends()) return message;
-    if (auto message = origin_of_ends(tree_, resolved_, files_, attempt_)) return message;
-    if (auto message = other_base()) return message;
-    if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_missing_joints())
-      return message;
-    if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_frames()) return message;
-    if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_chains()) return message;
+  std::optional<Culprit> run() {
+    if (auto culprit = wrong_ends()) return culprit;
+    if (auto culprit = origin_of_ends(tree_, resolved_, files_, attempt_)) return culprit;
+    if (auto culprit = other_base()) return culprit;
+    if (auto culprit = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_missing_joints())
+      return culprit;
+    if (auto culprit = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_frames()) return culprit;
+    if (auto culprit = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_chains()) return culprit;
     if (is_one_type())
-      if (auto message = other_type(ClosureType::point)) return message;
+      if (auto culprit = other_type(ClosureType::point)) return culprit;
     const Eigen::VectorXd& values = assembled_.assembly ? assembled_.assembly->values : assembled_.closest;
     const bool is_known = (has_zero_length() && has_mobility()) || closes_without_limits();
     CorrectionSearch corrections(tree_, resolved_, assembled_.assembly.has_value(), files_, attempt_);
     if (!is_known) {
-      if (auto message = corrections.like_others()) return message;
-      if (auto message = corrections.working_of(find_axis_corrections(system_, values, files_)))
-        return message;
+      if (auto culprit = corrections.like_others()) return culprit;
+      if (auto culprit = corrections.working_of(find_axis_corrections(system_, values, files_)))
+        return culprit;
     }
-    if (auto message = other_closing_link()) return message;
+    if (auto culprit = other_closing_link()) return culprit;
     if (assembled_.assembly)
-      if (auto message = other_operational_point()) return message;
-    if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_point()) return message;
+      if (auto culprit = other_operational_point()) return culprit;
+    if (auto culprit = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_point()) return culprit;
     CorrectionSearch both(tree_, resolved_, true, files_, attempt_);
-    if (auto message = both.of_frames_and_actuation()) return message;
+    if (auto culprit = both.of_frames_and_actuation()) return culprit;
     if (!is_known && (gaps_.are_to_meet() || !mobility_fits()))
-      if (auto message = corrections.others()) return message;
-    if (auto message = other_types()) return message;
-    return linkage_of_one_degree_of_freedom(tree_, resolved_, assembled_, files_);
+      if (auto culprit = corrections.others()) return culprit;
+    if (auto culprit = other_types()) return culprit;
+    if (const auto linkage = linkage_of_one_degree_of_freedom(tree_, resolved_, assembled_, files_))
+      return without_remedy(*linkage);
+    return std::nullopt;
   }
 
  private:
   // Names that say so speak for it alone, and links that are there for a closure.
-  std::optional<std::string> wrong_ends() const {
+  std::optional<Culprit> wrong_ends() const {
     Corrections ends = end_place_corrections(*tree_, resolved_, files_);
     if (const auto by_names = ends_paired_by_names(*tree_, resolved_, files_)) ends.push_back(*by_names);
     return CorrectionSearch(tree_, resolved_, true, files_, attempt_).working_of(ends);
@@ -128,7 +130,7 @@ class Search {
   std::string operational_point() const { return operational_point_text(*tree_, platform(), files_); }
 
   // Where most of the actuated joints are fixed to, and else the root.
-  std::optional<std::string> other_base() {
+  std::optional<Culprit> other_base() {
     const std::size_t usual = usual_link_of_actuation();
     if (body_of(*tree_, usual) != body_of(*tree_, resolved_.base))
       return based_on(usual, "which is not where the actuated joints are fixed");
@@ -151,19 +153,20 @@ class Search {
     return base;
   }
 
-  std::optional<std::string> based_on(std::size_t base, const std::string& reason) {
+  std::optional<Culprit> based_on(std::size_t base, const std::string& reason) {
     if (body_of(*tree_, base) == body_of(*tree_, resolved_.base) || is_on_platform(base)) return std::nullopt;
     ResolvedConfig changed = resolved_;
     changed.base = base;
     const auto space = tried(tree_, changed);
     if (!space) return std::nullopt;
-    return files_.config + " has " + files_.key("base_link") + " '" + tree_->links[resolved_.base] + "', " +
-           reason + "; write " + files_.entry("base_link", tree_->links[base]) +
-           ", which makes it a robot in " + *space + ".";
+    return with_remedy(files_.config + " has " + files_.key("base_link") + " '" +
+                       tree_->links[resolved_.base] + "', " + reason + "; write " +
+                       files_.entry("base_link", tree_->links[base]) + ", which makes it a robot in " +
+                       *space + ".");
   }
 
   // One closure elsewhere, where all others hold a leg to the platform.
-  std::optional<std::string> other_closing_link() {
+  std::optional<Culprit> other_closing_link() {
     const std::vector<Closure>& closures = resolved_.closures;
     const auto is_elsewhere = [this](const Closure& closure) {
       return !is_on_platform(closure.frames[0].link) && !is_on_platform(closure.frames[1].link);
@@ -175,7 +178,7 @@ class Search {
       if (!is_elsewhere(closures[k])) continue;
       for (const std::size_t end : {0, 1})
         for (const std::size_t link : platform_links(frames[end]))
-          if (auto message = closed_at(k, end, link)) return message;
+          if (auto culprit = closed_at(k, end, link)) return culprit;
     }
     return std::nullopt;
   }
@@ -198,16 +201,17 @@ class Search {
     return links;
   }
 
-  std::optional<std::string> closed_at(std::size_t closure, std::size_t end, std::size_t link) {
+  std::optional<Culprit> closed_at(std::size_t closure, std::size_t end, std::size_t link) {
     ResolvedConfig changed = resolved_;
     changed.closures[closure].frames[end].link = link;
     if (legs_share_anchors(*tree_, changed, system_.size())) return std::nullopt;
     const auto space = tried(tree_, changed);
     if (!space) return std::nullopt;
     const Closure& written = resolved_.closures[closure];
-    return files_.config + " closes '" + written.name + "' at link '" +
-           tree_->links[written.frames[end].link] + "', which is not on the body of " + operational_point() +
-           "; write link '" + tree_->links[link] + "' there, which makes it a robot in " + *space + ".";
+    return with_remedy(files_.config + " closes '" + written.name + "' at link '" +
+                       tree_->links[written.frames[end].link] + "', which is not on the body of " +
+                       operational_point() + "; write link '" + tree_->links[link] +
+                       "' there, which makes it a robot in " + *space + ".");
   }
 
   // Origins of links where loops are closed, or that several joints move, each place on a body once.
@@ -228,32 +232,32 @@ class Search {
     return once;
   }
 
-  std::optional<std::string> other_operational_point() {
+  std::optional<Culprit> other_operational_point() {
     for (const std::size_t link : candidates()) {
       ResolvedConfig changed = resolved_;
       changed.actuated_joints.platform_link = link;
       const auto space = tried(tree_, changed);
       if (!space) continue;
       const std::string& name = tree_->links[link];
-      return files_.config + " has " + operational_point() + ", but the legs of " + files_.urdf +
-             " meet in link '" + name + "', as those of a robot in " + *space + "; write " +
-             files_.entry("operational_point", name) + ".";
+      return without_remedy(files_.config + " has " + operational_point() + ", but the legs of " +
+                            files_.urdf + " meet in link '" + name + "', as those of a robot in " + *space +
+                            "; write " + files_.entry("operational_point", name) + ".");
     }
     return std::nullopt;
   }
 
   // One for all that are stated, or none. Where all are revolute, as in the plane, that is right.
-  std::optional<std::string> other_types() {
+  std::optional<Culprit> other_types() {
     const bool all_revolute =
         std::all_of(resolved_.closures.begin(), resolved_.closures.end(),
                     [](const Closure& closure) { return closure.type == ClosureType::revolute; });
     if (!all_revolute)
       for (const ClosureType type : {ClosureType::point, ClosureType::revolute, ClosureType::universal})
-        if (auto message = other_type(type)) return message;
+        if (auto culprit = other_type(type)) return culprit;
     return resolved_.closure_dialect.empty() ? other_type(ClosureType::automatic) : std::nullopt;
   }
 
-  std::optional<std::string> other_type(ClosureType type) {
+  std::optional<Culprit> other_type(ClosureType type) {
     ResolvedConfig changed = resolved_;
     std::string names;
     for (Closure& closure : changed.closures) {
@@ -263,11 +267,12 @@ class Search {
     }
     const auto space = names.empty() ? std::nullopt : tried(tree_, changed);
     if (!space) return std::nullopt;
-    return file_of_closures(resolved_, files_) + " closes loops of " + files_.urdf +
-           " by types that do not fit its joints; write " + type_text(resolved_, type) + " for " + names +
-           " in " +
-           (resolved_.closure_dialect.empty() ? files_.full_key("closures") : resolved_.closure_dialect) +
-           ", which makes it a robot in " + *space + ".";
+    return with_remedy(
+        file_of_closures(resolved_, files_) + " closes loops of " + files_.urdf +
+        " by types that do not fit its joints; write " + type_text(resolved_, type) + " for " + names +
+        " in " +
+        (resolved_.closure_dialect.empty() ? files_.full_key("closures") : resolved_.closure_dialect) +
+        ", which makes it a robot in " + *space + ".");
   }
 
   std::optional<std::string> tried(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& changed) {
@@ -296,56 +301,55 @@ class Search {
 };
 
 // Of closures whose ends are apart at zero: first what puts them together, then that they are together.
-std::optional<std::string> culprit_of_gaps(const std::shared_ptr<const Tree>& tree,
-                                           const ResolvedConfig& resolved, const SourceNames& files,
-                                           const Attempt& attempt) {
+std::optional<Culprit> culprit_of_gaps(const std::shared_ptr<const Tree>& tree,
+                                       const ResolvedConfig& resolved, const SourceNames& files,
+                                       const Attempt& attempt) {
   auto together = with_ends_together(*tree, resolved);
   if (!together) return std::nullopt;
   if (drawn_open(*tree, resolved, files))
     return CorrectionSearch(tree, *together, true, files, attempt)
         .working_of(place_corrections(tree, resolved, files));
-  if (auto message = Search(tree, *together, files, attempt).run()) return message;
+  if (auto culprit = Search(tree, *together, files, attempt).run()) return culprit;
   const auto remedy =
       are_all_welds(resolved.closures) ? std::nullopt : list_of_ends(tree, resolved, files, attempt);
   if (!remedy) return std::nullopt;
-  return file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
-         end_gaps_text(*tree, resolved) +
-         ", and holds them so; correct the origins of the joints in their loops, or, if these are right and "
-         "the "
-         "ends are to meet elsewhere, write " +
-         *remedy + ".";
+  return without_remedy(
+      file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
+      end_gaps_text(*tree, resolved) +
+      ", and holds them so; correct the origins of the joints in their loops, or, if these are right and "
+      "the "
+      "ends are to meet elsewhere, write " +
+      *remedy + ".");
 }
 
 }  // namespace
 
-std::optional<std::string> find_culprit(const std::shared_ptr<const Tree>& tree,
-                                        const ResolvedConfig& resolved, const SourceNames& files,
-                                        const Attempt& attempt) {
-  if (auto message = culprit_of_gaps(tree, resolved, files, attempt)) return message;
+std::optional<Culprit> find_culprit(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                                    const SourceNames& files, const Attempt& attempt) {
+  if (auto culprit = culprit_of_gaps(tree, resolved, files, attempt)) return culprit;
   const auto meant = drawn_open(*tree, resolved, files);
   return Search(tree, meant ? *meant : resolved, files, attempt).run();
 }
 
-Problems find_culprit_of_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                              const WrongEnds& ends, const SourceNames& files, const Attempt& attempt) {
+std::optional<Culprit> find_culprit_of_ends(const std::shared_ptr<const Tree>& tree,
+                                            const ResolvedConfig& resolved, const WrongEnds& ends,
+                                            const SourceNames& files, const Attempt& attempt) {
   CorrectionSearch frames(tree, resolved, true, files, attempt);
-  if (const auto message = frames.of_frames()) return {*message};
-  if (ends.found.empty()) {
-    const auto message = frames.of_frames_and_actuation();
-    return message ? Problems{*message} : Problems{};
-  }
+  if (auto culprit = frames.of_frames()) return culprit;
+  if (ends.found.empty()) return frames.of_frames_and_actuation();
   ResolvedConfig changed = resolved;
   changed.base = ends.base;
   changed.actuated_joints.platform_link = ends.actuated_joints.platform_link;
   if (resolved.actuation_origin.empty()) changed.actuated_joints = ends.actuated_joints;
-  if (attempt(tree, changed)) return ends.problems();
+  if (attempt(tree, changed)) return Culprit{ends.problems()};
   std::string text, faults;
   for (const WrongEnds::Wrong& wrong : ends.found) {
     text += wrong.fault + "; " + wrong.remedy + "; ";
     faults += (faults.empty() ? "" : ", and ") + wrong.fault;
   }
   const auto next = find_culprit(tree, changed, files, attempt);
-  return {next ? text + "then " + *next : faults + "."};
+  if (!next) return without_remedy(faults + ".");
+  return Culprit{{text + "then " + next->problems.front()}, next->has_remedy};
 }
 
 }  // namespace parallel_aspects

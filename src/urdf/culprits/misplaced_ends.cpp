@@ -91,10 +91,9 @@ ApartEnds apart_ends(const Tree& tree, const ResolvedConfig& resolved) {
   return ends;
 }
 
-std::vector<std::string> notes_beside_ends(const std::shared_ptr<const Tree>& tree,
-                                           const ResolvedConfig& resolved, const SourceNames& files,
-                                           const Attempt& attempt) {
-  std::vector<std::string> notes;
+Notes notes_beside_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                        const SourceNames& files, const Attempt& attempt) {
+  Notes notes;
   for (const Correction& correction : end_place_corrections(*tree, resolved, files)) {
     auto changed = std::make_shared<Tree>(*tree);
     ResolvedConfig config = resolved;
@@ -176,22 +175,22 @@ std::string remedies_of_places(const std::shared_ptr<const Tree>& tree, const Re
   return joined(working_at_zero(tree, resolved, files, attempt), ", or ");
 }
 
-std::optional<std::string> origin_of_ends(const std::shared_ptr<const Tree>& tree,
-                                          const ResolvedConfig& resolved, const SourceNames& files,
-                                          const Attempt& attempt) {
+std::optional<Culprit> origin_of_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                                      const SourceNames& files, const Attempt& attempt) {
   const ApartEnds ends = apart_ends(*tree, resolved);
   if (!ends.stand_out() && !ends.all_apart()) return std::nullopt;
   const std::vector<Working> working = working_at_zero(tree, resolved, files, attempt);
   if (working.empty()) return std::nullopt;
   if (working.size() > 1)
-    return ends.fault(files) + "; " + joined(working, "; or ") + "; each alone makes it a robot.";
+    return without_remedy(ends.fault(files) + "; " + joined(working, "; or ") +
+                          "; each alone makes it a robot.");
   const auto& [correction, space] = working.front();
-  return correction.fault + "; " + correction.remedy + ", which makes it a robot in " + space + ".";
+  return with_remedy(correction.fault + "; " + correction.remedy + ", which makes it a robot in " + space +
+                     ".");
 }
 
-std::vector<std::string> misplaced_ends_notes(const std::shared_ptr<const Tree>& tree,
-                                              const ResolvedConfig& resolved, const SourceNames& files,
-                                              const Attempt& attempt) {
+Notes misplaced_ends_notes(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                           const SourceNames& files, const Attempt& attempt) {
   const ApartEnds ends = apart_ends(*tree, resolved);
   const std::string remedies = ends.stand_out() || ends.all_apart()
                                    ? remedies_of_places(tree, resolved, files, attempt)

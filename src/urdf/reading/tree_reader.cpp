@@ -110,7 +110,7 @@ class TreeBuilder {
 }  // namespace
 
 std::optional<Tree> read_tree(const std::string& text, const std::string& file, Problems& problems,
-                              std::vector<std::string>& notes) {
+                              Notes& notes) {
   const std::size_t before = problems.size();
   const UrdfInspection inspection = inspect_urdf(text, file, problems, notes);
   if (problems.size() > before) return std::nullopt;

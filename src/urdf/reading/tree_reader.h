@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_URDF_READING_TREE_READER_H
 
 #include "parallel_aspects/model/problems.h"
+#include "urdf/description/note.h"
 #include "urdf/description/tree.h"
 
 #include <optional>
@@ -15,7 +16,7 @@ namespace parallel_aspects {
 /// `notes`; each a message that names `file` and the joint or link. Nothing is returned when there are
 /// problems.
 std::optional<Tree> read_tree(const std::string& text, const std::string& file, Problems& problems,
-                              std::vector<std::string>& notes);
+                              Notes& notes);
 
 }  // namespace parallel_aspects
 

@@ -60,16 +60,15 @@ constexpr std::array<RemarkText, 5> remark_texts{
       " limits that look like degrees; they are taken as radians."}}};
 
 // One message for each remark that was made.
-std::vector<std::string> messages(const std::multimap<Remark, std::string>& remarks) {
-  std::vector<std::string> result;
+Notes messages(const std::multimap<Remark, std::string>& remarks) {
+  Notes result;
   for (const RemarkText& text : remark_texts) {
     const auto [first, last] = remarks.equal_range(text.remark);
     const std::size_t count = static_cast<std::size_t>(std::distance(first, last));
     if (count == 0) continue;
-    std::string names;
-    for (auto entry = first; entry != last; ++entry)
-      names += (names.empty() ? "'" : ", '") + entry->second + "'";
-    result.push_back(text.before + std::string(count == 1 ? "joint " : "joints ") + names +
+    std::vector<std::string> names;
+    for (auto entry = first; entry != last; ++entry) names.push_back(entry->second);
+    result.push_back(text.before + std::string(count == 1 ? "joint " : "joints ") + listed_names(names) +
                      (count == 1 ? text.after_one : text.after_several));
   }
   return result;
@@ -81,7 +80,7 @@ using NameSet = std::unordered_set<std::string>;
 
 class Inspector {
  public:
-  Inspector(const std::string& file, Problems& problems, std::vector<std::string>& notes)
+  Inspector(const std::string& file, Problems& problems, Notes& notes)
       : file_(file), problems_(problems), notes_(notes), earlier_problems_(problems.size()) {}
 
   UrdfInspection inspect(const std::string& text) {
@@ -93,7 +92,7 @@ class Inspector {
     inspect_links(robot);
     inspect_joints(robot);
     inspect_topology();
-    for (const std::string& message : messages(remarks_)) notes_.push_back(file_ + " " + message);
+    for (const Note& message : messages(remarks_)) notes_.push_back(file_ + " " + message);
     if (!unused_shapes_.empty())
       notes_.push_back(file_ + " has shapes that cannot be, " + unused_shapes_ +
                        "; they are not used, as kinematics needs none.");
@@ -369,7 +368,7 @@ class Inspector {
 
   const std::string& file_;
   Problems& problems_;
-  std::vector<std::string>& notes_;
+  Notes& notes_;
   std::size_t earlier_problems_;
   UrdfInspection result_;
   std::multimap<Remark, std::string> remarks_;  // and the joints that they are about
@@ -384,7 +383,7 @@ class Inspector {
 }  // namespace
 
 UrdfInspection inspect_urdf(const std::string& text, const std::string& file, Problems& problems,
-                            std::vector<std::string>& notes) {
+                            Notes& notes) {
   return Inspector(file, problems, notes).inspect(text);
 }
 

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_URDF_READING_URDF_INSPECTION_H
 
 #include "parallel_aspects/model/problems.h"
+#include "urdf/description/note.h"
 
 #include <array>
 #include <map>
@@ -26,7 +27,7 @@ struct UrdfInspection {
 /// Looks through the text of a URDF. What is wrong is added to `problems`, what is taken with reservations to
 /// `notes`; each a message that names `file` and the joint or link.
 UrdfInspection inspect_urdf(const std::string& text, const std::string& file, Problems& problems,
-                            std::vector<std::string>& notes);
+                            Notes& notes);
 
 }  // namespace parallel_aspects
 

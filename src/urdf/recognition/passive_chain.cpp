@@ -128,14 +128,14 @@ class Bounding {
 };
 
 // Those of the slides that have limits which are not among `bounded`.
-std::string unbounded_slides(const std::vector<PassiveChain>& chains, const std::vector<std::size_t>& bounded,
-                             const Tree& tree) {
-  std::string names;
+std::vector<std::string> unbounded_slides(const std::vector<PassiveChain>& chains,
+                                          const std::vector<std::size_t>& bounded, const Tree& tree) {
+  std::vector<std::string> names;
   for (const PassiveChain& chain : chains)
     for (const Pivot& slide : chain.slides)
       if (slide.variable && tree.joint_of(*slide.variable).limits.limited() &&
           std::find(bounded.begin(), bounded.end(), *slide.variable) == bounded.end())
-        names += (names.empty() ? "" : ", ") + quoted(slide);
+        names.push_back(slide.name);
   return names;
 }
 
@@ -173,9 +173,9 @@ SlideBounds slide_bounds(const std::vector<PassiveChain>& chains, const ClosureS
   return Bounding(system, values, motion).run(chains, legs);
 }
 
-std::vector<std::string> notes_on(const std::vector<PassiveChain>& chains, const SlideBounds& bounds,
-                                  const Tree& tree, TaskSpace space) {
-  std::vector<std::string> notes;
+Notes notes_on(const std::vector<PassiveChain>& chains, const SlideBounds& bounds, const Tree& tree,
+               TaskSpace space) {
+  Notes notes;
   for (const PassiveChain& chain : chains) {
     Chain all = chain.slides;
     all.insert(all.end(), chain.rotations.begin(), chain.rotations.end());
@@ -185,16 +185,15 @@ std::vector<std::string> notes_on(const std::vector<PassiveChain>& chains, const
                                      : "it takes nothing from what the legs leave the platform") +
                     ".");
   }
-  std::string limited;
-  for (const std::size_t variable : bounds.slides)
-    limited += (limited.empty() ? "'" : ", '") + tree.joint_of(variable).name + "'";
+  std::vector<std::string> limited;
+  for (const std::size_t variable : bounds.slides) limited.push_back(tree.joint_of(variable).name);
   if (bounds.box)
-    notes.push_back("The limits of " + limited + " keep the operational point between " +
+    notes.push_back("The limits of " + listed_names(limited) + " keep the operational point between " +
                     corner(bounds.box->lower, space) + " and " + corner(bounds.box->upper, space) +
                     " m of the task frame, as constraints.workspace does.");
-  const std::string unbounded = unbounded_slides(chains, bounds.slides, tree);
+  const std::vector<std::string> unbounded = unbounded_slides(chains, bounds.slides, tree);
   if (!unbounded.empty())
-    notes.push_back("The limits of " + unbounded +
+    notes.push_back("The limits of " + listed_names(unbounded) +
                     " bound no aspect: for that slides are along the axes of the task frame and, where the "
                     "platform turns, the operational point is on the axes of the joints that turn it.");
   return notes;

@@ -41,8 +41,8 @@ SlideBounds slide_bounds(const std::vector<PassiveChain>& chains, const ClosureS
                          const std::vector<Leg>& legs);
 
 /// What a user should know of these chains, a message each.
-std::vector<std::string> notes_on(const std::vector<PassiveChain>& chains, const SlideBounds& bounds,
-                                  const Tree& tree, TaskSpace space);
+Notes notes_on(const std::vector<PassiveChain>& chains, const SlideBounds& bounds, const Tree& tree,
+               TaskSpace space);
 
 }  // namespace parallel_aspects
 

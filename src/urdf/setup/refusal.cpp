@@ -3,7 +3,6 @@
 
 #include "urdf/load_search.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -12,8 +11,8 @@ namespace {
 
 struct OutOfTime {};
 
-// Nothing where time does not suffice.
-Problems diagnosed(const SetupSubject& subject, const SetupDraft& draft) {
+// No problems where time does not suffice.
+Refusal diagnosed(const SetupSubject& subject, const SetupDraft& draft) {
   LoadSearch search;
   search.as_options = true;
   search.checkpoint = [&subject] {
@@ -21,38 +20,31 @@ Problems diagnosed(const SetupSubject& subject, const SetupDraft& draft) {
   };
   try {
     load_mechanism(subject.urdf_text, subject.urdf_name, config_text(draft), name_of_choice, "", search);
+  } catch (const CorrectableDescription& correctable) {
+    return {correctable.problems(), true};
   } catch (const InvalidDescription& invalid) {
-    return invalid.problems();
+    return {invalid.problems(), false};
   } catch (const OutOfTime&) {
   }
   return {};
 }
 
-Problems in_options(const SetupSubject& subject, const SetupDraft& draft, const Problems& reasons) {
-  Problems problems;
-  for (const std::string& reason : reasons)
-    problems.push_back(subject.urdf_name + " was tried with " + options_for(draft) +
-                       ", and does not load: " + reason);
-  return problems;
+Refusal in_options(const SetupSubject& subject, const SetupDraft& draft, Refusal refusal) {
+  for (std::string& problem : refusal.problems)
+    problem = subject.urdf_name + " was tried with " + options_for(draft) + ", and does not load: " + problem;
+  return refusal;
 }
 
 }  // namespace
 
-bool any_remedy(const Problems& problems) {
-  return std::any_of(problems.begin(), problems.end(), [](const std::string& problem) {
-    return problem.find("makes it a robot in") != std::string::npos ||
-           problem.find("would make it one") != std::string::npos;
-  });
-}
-
-Problems refusal_of(const SetupSubject& subject, const ClosedResult& found) {
-  if (found.tried.empty()) return found.problems;
-  Problems first = diagnosed(subject, found.tried.front());
-  if (first.empty()) first = found.problems;
+Refusal refusal_of(const SetupSubject& subject, const ClosedResult& found) {
+  if (found.tried.empty()) return {found.problems, false};
+  Refusal first = diagnosed(subject, found.tried.front());
+  if (first.problems.empty()) first.problems = found.problems;
   first = in_options(subject, found.tried.front(), first);
-  for (std::size_t k = 1; k < found.tried.size() && !any_remedy(first); ++k) {
-    const Problems reasons = diagnosed(subject, found.tried[k]);
-    if (any_remedy(reasons)) return in_options(subject, found.tried[k], reasons);
+  for (std::size_t k = 1; k < found.tried.size() && !first.has_remedy; ++k) {
+    const Refusal other = diagnosed(subject, found.tried[k]);
+    if (other.has_remedy) return in_options(subject, found.tried[k], other);
   }
   return first;
 }

@@ -7,12 +7,14 @@
 
 namespace parallel_aspects {
 
+struct Refusal {
+  Problems problems;
+  bool has_remedy = false;  ///< whether they name a correction that was tried and makes a robot
+};
+
 /// Why what was tried makes no robot, in the words of the options, with what would correct it where that is
 /// found in time: of what was tried first, and else of what was tried for other platforms.
-Problems refusal_of(const SetupSubject& subject, const ClosedResult& found);
-
-/// Whether any of them names a correction that was tried and makes a robot.
-bool any_remedy(const Problems& problems);
+Refusal refusal_of(const SetupSubject& subject, const ClosedResult& found);
 
 }  // namespace parallel_aspects
 

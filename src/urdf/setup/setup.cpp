@@ -148,13 +148,18 @@ class Setup {
     result_.config = config_text(draft);
     result_.mechanism =
         load_mechanism(subject_.urdf_text, subject_.urdf_name, result_.config, subject_.config_name);
-    for (const std::string& note : result_.mechanism->notes())
-      if (note.find("closures: [") != std::string::npos) draft.closure_notes.push_back(note);
+    for (const Note& note : result_.mechanism->notes_in_pieces())
+      if (note.has(Note::Piece::Kind::closures)) draft.closure_notes.push_back(note);
     draft.home = result_.mechanism->assembled().pose;
     result_.config = config_text(draft);
   }
 
-  void refuse(const ClosedResult& found) { result_.problems = refusal_of(subject_, found); }
+  // Whether a correction was found that makes a robot.
+  bool refuse(const ClosedResult& found) {
+    const Refusal refusal = refusal_of(subject_, found);
+    result_.problems = refusal.problems;
+    return refusal.has_remedy;
+  }
 
   // In half of the time, so that the other half is for what would correct them.
   void described_closures(const FoundLoops& loops) {
@@ -231,18 +236,18 @@ class Setup {
   bool corrects(const ClosedResult& first, const OpenEnds& ends) {
     if (first.problems.empty() || first.tried.empty()) return false;
     SetupResult before = result_;
-    refuse_ends(first, ends);
-    if (any_remedy(result_.problems)) return true;
+    if (refuse_ends(first, ends)) return true;
     result_ = before;
     return false;
   }
 
-  void refuse_ends(const ClosedResult& first, const OpenEnds& ends) {
-    refuse(first);
+  bool refuse_ends(const ClosedResult& first, const OpenEnds& ends) {
+    const bool has_remedy = refuse(first);
     std::string names;
     for (const std::size_t link : ends.links) names += (names.empty() ? "" : ", ") + tree_.links[link];
     result_.problems.back() += " If other ends meet, name them with --closures; the open ends are " + names +
                                ", and those that are in no loop are left out.";
+    return has_remedy;
   }
 
   // Links that what was tried first holds at their own joint; with them, those that several chains end at.
@@ -379,7 +384,7 @@ SetupResult set_up(const std::string& urdf_text, const std::string& urdf_name, c
   if (const auto text = from_latin_1(urdf_text))
     return set_up(*text, urdf_name, config_name, answers, control);
   SetupResult refused;
-  std::vector<std::string> notes;
+  Notes notes;
   auto tree = read_tree(urdf_text, urdf_name, refused.problems, notes);
   if (!tree) return refused;
   add_frames(answers, *tree);

@@ -68,28 +68,6 @@ std::string yaml_frame(const std::string& text) {
   return "{link: " + in_list(frame->link) + ", xyz: [" + xyz + "]}";
 }
 
-// After the bracket that closes the one at `start`.
-std::size_t end_of_list(const std::string& text, std::size_t start) {
-  int depth = 0;
-  for (std::size_t at = start; at < text.size(); ++at) {
-    if (text[at] == '[' || text[at] == '{') ++depth;
-    if ((text[at] == ']' || text[at] == '}') && --depth == 0) return at + 1;
-  }
-  return text.size();
-}
-
-// Of a list of maps, as YAML has it in one line.
-std::vector<std::string> entries_at(const std::string& text, std::size_t start) {
-  std::vector<std::string> entries;
-  const std::size_t last = end_of_list(text, start);
-  for (std::size_t at = text.find('{', start); at < last; at = text.find('{', at)) {
-    const std::size_t end = end_of_list(text, at);
-    entries.push_back(text.substr(at, end - at));
-    at = end;
-  }
-  return entries;
-}
-
 // The emitter of yaml-cpp does not indent comments.
 class Writer {
  public:
@@ -161,16 +139,17 @@ class Writer {
 
   // A list stands below what is said of it, to be taken out of the comment.
   void write_closure_notes() {
-    for (const std::string& note : draft_.closure_notes) {
-      const std::string key = "closures: ";
-      const std::size_t start = note.find(key + "[");
-      if (start == std::string::npos) continue;
-      const std::vector<std::string> entries = entries_at(note, start + key.size());
-      const std::size_t end = end_of_list(note, start + key.size());
+    for (const Note& note : draft_.closure_notes) {
+      std::string said, list;
+      for (const Note::Piece& piece : note.pieces()) {
+        const bool is_list = piece.kind == Note::Piece::Kind::closures;
+        said += is_list ? "the closures below" : piece.text();
+        for (std::size_t k = 0; is_list && k < piece.items.size(); ++k)
+          list += indent + "#   - " + one_line(piece.items[k]) + '\n';
+      }
       text_ += '\n';
-      comment(indent, note.substr(0, start) + "the closures below" + note.substr(end));
-      text_ += indent + "# closures:\n";
-      for (const std::string& entry : entries) text_ += indent + "#   - " + one_line(entry) + '\n';
+      comment(indent, said);
+      text_ += indent + "# closures:\n" + list;
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/task_space.h"
+#include "urdf/description/note.h"
 #include "urdf/setup/setup.h"
 
 #include <optional>
@@ -21,9 +22,9 @@ struct SetupDraft {
   std::string closure_type;         ///< of all of them
   std::vector<SetupChoice> others;  ///< what else would do, by key
   std::optional<TaskSpace> task_space;
-  std::optional<Pose> home;                ///< in which the loops were closed
-  std::vector<std::string> notes;          ///< on the URDF
-  std::vector<std::string> closure_notes;  ///< with lists of closures that may be meant
+  std::optional<Pose> home;        ///< in which the loops were closed
+  std::vector<std::string> notes;  ///< on the URDF
+  Notes closure_notes;             ///< with lists of closures that may be meant
 };
 
 /// As commented YAML.

@@ -10,20 +10,21 @@ namespace parallel_aspects::tools {
 namespace {
 
 TEST(Report, LongListsOfNamesAreShortened) {
-  EXPECT_EQ(shortened("Joints 'a', 'b', 'c', 'd', 'e' of 'x.urdf' have no limits."),
+  EXPECT_EQ(shortened("Joints " + listed_names({"a", "b", "c", "d", "e"}) + " of 'x.urdf' have no limits."),
             "Joints 'a', 'b', 'c' and 2 more of 'x.urdf' have no limits.");
-  EXPECT_EQ(shortened("'a', 'b', 'c', 'd'"), "'a', 'b', 'c', 'd'");
+  EXPECT_EQ(shortened(listed_names({"a", "b", "c", "d"})), "'a', 'b', 'c', 'd'");
   EXPECT_EQ(shortened("none"), "none");
-  EXPECT_EQ(shortened("'1', '2', '3', '4', '5', '6'; '7', '8', '9', '10', '11'"),
+  EXPECT_EQ(shortened(listed_names({"1", "2", "3", "4", "5", "6"}) + "; " +
+                      listed_names({"7", "8", "9", "10", "11"})),
             "'1', '2', '3' and 3 more; '7', '8', '9' and 2 more");
 }
 
 TEST(Report, NotesSayHowTheyAreListed) {
-  const std::vector<std::string> notes{"one", "'a', 'b', 'c', 'd', 'e'"};
+  const Notes notes{"one", listed_names({"a", "b", "c", "d", "e"})};
   EXPECT_EQ(notes_text(notes, true), "note: one\nnote: 'a', 'b', 'c', 'd', 'e'\n");
   EXPECT_EQ(notes_text(notes, false),
             "note: one\nnote: 'a', 'b', 'c' and 2 more\n--verbose lists all names of these notes.\n");
-  EXPECT_EQ(notes_text({"one"}, false), "note: one\n");
+  EXPECT_EQ(notes_text(Notes{"one"}, false), "note: one\n");
 }
 
 // What is shown of a proved bound is proved, too.
