@@ -54,14 +54,23 @@ class OptionList {
   explicit OptionList(QuestionTexts& texts) : texts_(texts) {}
 
   template <class Value>
-  void operator()(const ask::Field& field, const Value& /*value*/) {
+  void operator()(const ask::Field& field, const Value& value) {
     options_.push_back({option_name(field.name), field.value, ask::with_names(field.help, option_name),
-                        &texts_[field.name], false, WordsOf<Value>::value});
+                        &texts_[field.name], false, words_of(value)});
   }
 
   const std::vector<Option>& options() const noexcept { return options_; }
 
  private:
+  template <class Value>
+  static Words words_of(const Value& /*value*/) {
+    return Words::one;
+  }
+  static Words words_of(const std::optional<Pose>& /*value*/) { return Words::numbers; }
+  static Words words_of(const std::optional<JointVector>& /*value*/) { return Words::numbers; }
+  static Words words_of(const std::optional<WorkingMode>& /*value*/) { return Words::signs; }
+  static Words words_of(const std::optional<MapSlice>& /*value*/) { return Words::assignments; }
+
   QuestionTexts& texts_;
   std::vector<Option> options_;
 };

@@ -391,5 +391,13 @@ TEST_F(PlanCommand, SaysWhatNoiseAPathAroundACuspIsFollowedWith) {
   EXPECT_TRUE(run_json(straight).at("encoder_noise").is_null());
 }
 
+TEST_F(PlanCommand, TakesAPoseAsSeveralWords) {
+  const json quoted =
+      run_json({"plan", "five_bar", "--from", "4.5 8", "--to", "4 6", "--from-mode", "(+,+)"});
+  const json words =
+      run_json({"plan", "five_bar", "--from", "4.5", "8", "--to", "4", "6", "--from-mode", "+", "+"});
+  EXPECT_EQ(words, quoted);
+}
+
 }  // namespace
 }  // namespace parallel_aspects::tools
