@@ -46,9 +46,9 @@ class Connecting {
                            "{resolution} and {load} are of a map of boxes, and in SE3 there is none",
                            "leave them out"});
     if (!problems_.empty() || !result_.slice) return;
-    result_.moved_onto_slice =
-        std::max(put_onto_slice(*result_.slice, robot(), "start", result_.from, problems_),
-                 put_onto_slice(*result_.slice, robot(), "goal", result_.to, problems_));
+    const double first = put_onto_slice(*result_.slice, robot(), "start", result_.from, problems_),
+                 second = put_onto_slice(*result_.slice, robot(), "goal", result_.to, problems_);
+    result_.moved_onto_slice = std::max(first, second);
   }
 
   Pose end(const std::string& field, const std::optional<Pose>& pose) {

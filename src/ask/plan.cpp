@@ -38,7 +38,13 @@ class Planning {
  private:
   const Manipulator& robot() const { return *session_.robot(); }
   bool is_cancelled() const { return parallel_aspects::is_cancelled(control_.during("")); }
-  bool has_map() const { return answer_.slice || robot().task_space() != TaskSpace::SE3; }
+  // With six degrees of freedom there is no map but a roadmap; it is quicker elsewhere as well, and knows
+  // less.
+  bool has_map() const {
+    return answer_.slice || session_.known_map() ||
+           (robot().task_space() != TaskSpace::SE3 && !asks_roadmap());
+  }
+  bool asks_roadmap() const { return question_.samples || question_.seed; }
 
   // Before anything starts.
   void check() {
@@ -66,14 +72,15 @@ class Planning {
   }
 
   void check_map() {
-    if (question_.samples || question_.seed)
+    if (asks_roadmap())
       problems_.push_back({ProblemKind::together, "samples",
-                           "{samples} and {seed} are for roadmaps, in SE3 without {hold}", "leave them out"});
+                           "{samples} and {seed} are for roadmaps, and a map is asked here",
+                           "leave them out"});
   }
 
-  // With six degrees of freedom there is no map but a roadmap.
   void check_roadmap() {
-    const std::string none = "in SE3 there is none";
+    const std::string none = robot().task_space() == TaskSpace::SE3 ? "in SE3 there is none"
+                                                                    : "{samples} and {seed} ask a roadmap";
     if (question_.policy == PathPolicy::any)
       problems_.push_back({ProblemKind::robot, "policy", "{policy} any needs a map, and " + none,
                            "give {policy} serial, or {hold}"});

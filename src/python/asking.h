@@ -53,12 +53,9 @@ class KeywordReader {
   void read(const std::string& field, const Object& given, Choice& value) {
     const std::string text = pybind11::str(given);
     std::string names;
-    for (const Choice each : choices(Choice{})) {
-      if (text == name(each)) value = each;
-      if (text == name(each)) return;
-      names += (names.empty() ? "" : ", ") + std::string(name(each));
-    }
-    refuse_any({field + " is '" + text + "'; give one of " + names + "."});
+    const auto found = ask::choice_named<Choice>(text, names);
+    if (!found) throw InvalidDescription({field + " is '" + text + "'; give " + names + "."});
+    value = *found;
   }
   void read(const std::string& name, const Object& given, std::string& value);
   void read(const std::string& name, const Object& given, double& value);

@@ -108,12 +108,10 @@ class TextReader {
   template <class Choice, class = std::enable_if_t<std::is_enum_v<Choice>>>
   void read(const std::string& option, const std::string& text, Choice& value) {
     std::string names;
-    for (const Choice each : choices(Choice{})) {
-      if (text == name(each)) value = each;
-      if (text == name(each)) return;
-      names += (names.empty() ? "" : ", ") + std::string(name(each));
-    }
-    problems_.push_back(option + " is '" + text + "'; give one of " + names + ".");
+    if (const auto found = ask::choice_named<Choice>(text, names))
+      value = *found;
+    else
+      problems_.push_back(option + " is '" + text + "'; give " + names + ".");
   }
   void read(const std::string& option, const std::string& text, std::string& value);
   void read(const std::string& option, const std::string& text, double& value);

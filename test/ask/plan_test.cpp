@@ -90,7 +90,11 @@ TEST(PlanQuestion, NamesTheFieldAtFault) {
       {ProblemKind::value, "acceleration",
        [](PlanQuestion& q) { q.acceleration = JointVector(Eigen::Vector2d(1.0, 0.0)); }},
       {ProblemKind::together, "acceleration", [](PlanQuestion& q) { q.prefer = PathPreference::fast; }},
-      {ProblemKind::together, "samples", [](PlanQuestion& q) { q.samples.emplace().value = 9; }},
+      {ProblemKind::robot, "policy",
+       [](PlanQuestion& q) {
+         q.samples.emplace().value = 9;
+         q.policy = PathPolicy::any;
+       }},
       {ProblemKind::robot, "around_cusp", [](PlanQuestion& q) {
          q.goal = {};
          q.around_cusp.emplace().value = 1;
@@ -136,6 +140,18 @@ TEST(Session, AsksTheMapThatIsKnown) {
   ASSERT_TRUE(computed);
   EXPECT_NE(computed.answer.map, map);
   EXPECT_EQ(computed.answer.path.answer, known.answer.path.answer);
+}
+
+TEST(PlanQuestion, AsksARoadmapWhereSamplesAreGiven) {
+  PlanQuestion question = between(left, right);
+  question.samples.emplace().value = 50;
+  Session session(test::five_bar());
+  const auto outcome = answer(session, question);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome.answer.map, nullptr);
+  EXPECT_EQ(outcome.answer.path.answer, SameAspect::yes) << outcome.answer.path.message;
+  session.know(compute_aspect_map(test::five_bar()).map);
+  EXPECT_EQ(answer(session, question).status, MapStatus::refused);
 }
 
 TEST(Session, KeepsTheMapThatItComputed) {

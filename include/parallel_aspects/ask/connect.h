@@ -34,7 +34,7 @@ struct ConnectQuestion {
 
 template <class Visit>
 void describe(Visit& visit, ConnectQuestion& question) {
-  visit({"start", "\"x y\"", "A pose of the platform, quoted; lengths [m]"}, question.start);
+  visit({"start", "\"x y\"", "A pose of the platform; lengths [m]"}, question.start);
   visit({"goal", "\"x y\"", "Another one"}, question.goal);
   visit({"mode", "\"(+,-)\"", "Working mode, as signs of B_jj; by default every one"}, question.mode);
   visit({"slice", "\"phi=0\"",

@@ -54,8 +54,7 @@ struct PlanQuestion {
 template <class Visit>
 void describe_end(Visit& visit, const std::string& name, EndQuestion& end) {
   const bool starts = name == "start";
-  visit({name, "\"x y\"",
-         starts ? "Where the path begins: a pose, quoted; lengths [m]" : "Where it ends, likewise"},
+  visit({name, "\"x y\"", starts ? "Where the path begins: a pose; lengths [m]" : "Where it ends, likewise"},
         end.pose);
   visit({name + "_mode", "\"(+,-)\"", "Working mode there, as signs of B_jj; by default any"}, end.mode);
   visit({name + "_joints", "\"q1 q2\"",
@@ -94,9 +93,10 @@ void describe(Visit& visit, PlanQuestion& question) {
   visit({"load", "FILE", "Take the map from this file if it is of this robot and these options"},
         question.map.load);
   visit({"save", "FILE", "Write the map to this file, with its gates, for {load}"}, question.map.save);
-  visit({"samples", "N", "With six degrees of freedom: poses of the roadmap, by default 1000"},
+  visit({"samples", "N",
+         "With six degrees of freedom, or in place of a map: poses of the roadmap, by default 1000"},
         question.samples);
-  visit({"seed", "N", "With six degrees of freedom: seed of its poses, by default 1"}, question.seed);
+  visit({"seed", "N", "Likewise: seed of its poses, by default 1"}, question.seed);
   visit({"acceleration", "\"10 10\"",
          "Acceleration limits of the actuated joints [rad/s^2 or m/s^2], with which the path is timed; by "
          "default those of motion.acceleration in the YAML, if any"},

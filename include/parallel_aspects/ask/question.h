@@ -4,7 +4,9 @@
 
 #include "parallel_aspects/model/problems.h"
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,19 @@ struct Count {
   unsigned value = least;
   static constexpr unsigned lower = least, upper = largest;
 };
+
+/// The value of an enumeration with this name. Nothing where there is none; `names` are then all, as
+/// "stay, serial or any". It has `choices` and `name`, found by its namespace.
+template <class Choice>
+std::optional<Choice> choice_named(const std::string& text, std::string& names) {
+  const auto all = choices(Choice{});
+  names.clear();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (text == name(all[i])) return all[i];
+    names += (i == 0 ? "" : i + 1 == all.size() ? " or " : ", ") + std::string(name(all[i]));
+  }
+  return std::nullopt;
+}
 
 /// What is wrong with a question.
 enum class ProblemKind {
