@@ -26,28 +26,6 @@ namespace parallel_aspects::tools {
 /// The texts of the options of a question, by field; empty where not given.
 using QuestionTexts = std::map<std::string, std::string>;
 
-/// Of which words the text of such a value is made.
-template <class Value>
-struct WordsOf {
-  static constexpr Words value = Words::one;
-};
-template <class Value>
-struct WordsOf<std::optional<Value>> : WordsOf<Value> {};
-template <>
-struct WordsOf<Pose> {
-  static constexpr Words value = Words::numbers;
-};
-template <>
-struct WordsOf<JointVector> : WordsOf<Pose> {};
-template <>
-struct WordsOf<WorkingMode> {
-  static constexpr Words value = Words::signs;
-};
-template <>
-struct WordsOf<MapSlice> {
-  static constexpr Words value = Words::assignments;
-};
-
 /// Lists the fields of a question as options, which fill `texts`.
 class OptionList {
  public:
@@ -62,6 +40,7 @@ class OptionList {
   const std::vector<Option>& options() const noexcept { return options_; }
 
  private:
+  // Of which words the text of such a value is made.
   template <class Value>
   static Words words_of(const Value& /*value*/) {
     return Words::one;
