@@ -60,14 +60,19 @@ int for_random_cases(unsigned seed, int tries, const Check& check) {
   return made;
 }
 
-// A pose anywhere in the ball.
-Pose within(const Manipulator& robot, const Pose& middle, double radius, test::RandomRobots& random) {
+// A pose at this distance, in any direction.
+Pose at_rim(const Manipulator& robot, const Pose& middle, double radius, test::RandomRobots& random) {
   TaskVector twist(static_cast<Eigen::Index>(robot.leg_count()));
   for (double& entry : coefficients_of(twist)) entry = random.uniform(-1.0, 1.0);
-  twist *= radius * random.uniform(0.0, 1.0) / twist.norm();
+  twist *= radius / twist.norm();
   twist.head(static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot.task_space()))) /=
       robot.characteristic_length();
   return displaced(robot.task_space(), middle, twist);
+}
+
+// A pose anywhere in the ball.
+Pose within(const Manipulator& robot, const Pose& middle, double radius, test::RandomRobots& random) {
+  return at_rim(robot, middle, radius * random.uniform(0.0, 1.0), random);
 }
 
 // Every claim of a certified ball, tried at random: the actuated joints anywhere on the path, the pose
@@ -105,6 +110,45 @@ TEST(PoseCertifier, WhatItCertifiesHoldsAtRandomPoints) {
     }
   });
   EXPECT_GT(certified, made / 4);
+}
+
+/// The longest path along the direction that is certified, to a tenth; none where no part of it is.
+std::optional<CertifiedBall> stretch_to_the_longest(const PoseCertifier& certifier,
+                                                    const CertifiedPoint& point, TaskVector& direction) {
+  const RoundingUpward upward;
+  const TaskVector still = TaskVector::Zero(direction.size());
+  const auto ball_of = [&](const TaskVector& path) {
+    return certifier.ball(point, path, still, 1.0, certifier.path_speed(point, path));
+  };
+  std::optional<CertifiedBall> longest;
+  TaskVector path = 1e-7 / direction.norm() * direction;
+  for (CertifiedBall ball = ball_of(path); ball.certified; ball = ball_of(path)) {
+    longest = ball;
+    direction = path;
+    path *= 1.1;
+    if (!(path.norm() < 1e3)) break;
+  }
+  return longest;
+}
+
+// Where it is all but too much: at the end of the longest path, at the rim of its ball.
+TEST(PoseCertifier, WhatItCertifiesHoldsAtTheRim) {
+  int certified = 0;
+  const int made = for_random_cases(15, 60, [&](TriedStep tried, test::RandomRobots& random) {
+    const PoseCertifier certifier(*tried.robot);
+    CertifiedPoint point;
+    if (!certify_solution(certifier, tried.pose, tried.q, point)) return;
+    const auto ball = stretch_to_the_longest(certifier, point, tried.direction);
+    const double center = direct_determinant(*tried.robot, point.pose, tried.q);
+    if (!ball) return;
+    ++certified;
+    for (int i = 0; i < 10; ++i) {
+      const Pose pose = at_rim(*tried.robot, point.pose, ball->radius * (1.0 - 1e-9), random);
+      ASSERT_GT(center * direct_determinant(*tried.robot, pose, tried.q + tried.direction), 0.0)
+          << text(tried);
+    }
+  });
+  EXPECT_GT(certified, made / 2);
 }
 
 // What the enclosures say of F and B holds for the values in doubles, to their rounding.
