@@ -190,6 +190,23 @@ TEST(RegularBall, EndsBeforeASingularity) {
   }
 }
 
+// det = 1 + g s^k with |g| <= 1 may vanish from |s| = 1 on, whatever the degree k of what the gap adds.
+TEST(RegularBall, EndsBeforeASingularityOfAGapOfEachDegree) {
+  const RoundingUpward rounding;
+  for (const double radius : {0.25, 0.9, 1.1, 1.5})
+    for (const int degree : {1, 2, 3}) {
+      RowsInBall rows;
+      for (std::size_t j = 0; j < 6; ++j) rows.rows[j][j] = 1.0;
+      rows.gaps[0] = 1.0;
+      rows.along[0][0] = 1.0;
+      const CubicForm<6> s = CubicForm<6>::coordinate(0.0, radius, 0);
+      for (int i = 0; i < degree; ++i) rows.along[0][0] = rows.along[0][0] * s;
+      const double proved = RegularBall(rows).proved_share() * radius;
+      EXPECT_LT(proved, 1.0) << degree;
+      EXPECT_GE(proved, radius < 0.7 ? radius : 0.0) << degree;
+    }
+}
+
 TEST(RegularBall, ASingularCenterProvesNothing) {
   const RoundingUpward rounding;
   EXPECT_EQ(RegularBall(RowsInBall()).proved_share(), 0.0);
