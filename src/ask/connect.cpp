@@ -33,7 +33,7 @@ class Connecting {
 
  private:
   const Manipulator& robot() const { return *session_.robot(); }
-  bool is_over() const { return is_cancelled(control_.during("")); }
+  bool is_over() const { return control_.is_over(); }
 
   void check() {
     result_.task_space = robot().task_space();
@@ -70,7 +70,7 @@ class Connecting {
     if (found.comparison.answer != SameAspect::no && map_ && !question_.brief)
       found.bottleneck = {question_.index,
                           find_bottleneck(*map_, mode, result_.from, result_.to, question_.index, {},
-                                          control_.during("Looking for the bottleneck."))};
+                                          control_.begin("Looking for the bottleneck."))};
     return found;
   }
 

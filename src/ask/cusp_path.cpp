@@ -72,7 +72,7 @@ void plan_around(Session& session, const PlanQuestion& question, PathEnd from, c
   const Manipulator& robot = *session.robot();
   const FoundMap found = session.map(question.map, {}, control, problems);
   if (!found.map) return;
-  const MapControl looking = control.during("Looking for a path around the cusp.");
+  const MapControl looking = control.begin("Looking for a path around the cusp.");
   CuspList cusps = find_cusps(robot, *found.map->slice()->joint, looking);
   const std::size_t cusp = question.around_cusp->value - 1;
   if (is_cancelled(looking)) return;

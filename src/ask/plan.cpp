@@ -37,7 +37,7 @@ class Planning {
 
  private:
   const Manipulator& robot() const { return *session_.robot(); }
-  bool is_cancelled() const { return parallel_aspects::is_cancelled(control_.during("")); }
+  bool is_cancelled() const { return control_.is_over(); }
   // With six degrees of freedom there is no map but a roadmap; it is quicker elsewhere as well, and knows
   // less.
   bool has_map() const {
@@ -145,7 +145,7 @@ class Planning {
     answer_.loaded = found.loaded;
     const auto planner = session_.planner(found.map);
     answer_.between = [planner](const Pose& a, const Pose& b, double t) { return planner->between(a, b, t); };
-    const MapControl control = control_.during("Looking for gates and a path.");
+    const MapControl control = control_.begin("Looking for gates and a path.");
     answer_.path = planner->plan(from_, to_, wish(control), control);
   }
 
@@ -158,7 +158,7 @@ class Planning {
         options.modes.push_back(*mode);
     const auto roadmap = session_.roadmap(options, control_, problems_);
     if (!roadmap) return;
-    const MapControl control = control_.during("Looking for gates and a path.");
+    const MapControl control = control_.begin("Looking for gates and a path.");
     answer_.path = plan_in_roadmap(*roadmap, from_, to_, wish(control), control);
   }
 
@@ -166,7 +166,7 @@ class Planning {
     note_turns();
     if (is_timed_ && answer_.path)
       answer_.timed = time_path(*session_.certifier(), answer_.path, answer_.between, acceleration_,
-                                control_.during("Timing the path."));
+                                control_.begin("Timing the path."));
   }
 
   // Which actuated joints arrive whole turns from the values that were asked for.

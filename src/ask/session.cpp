@@ -8,10 +8,12 @@
 
 namespace parallel_aspects::ask {
 
-MapControl Control::during(const char* step) const {
+MapControl Control::begin(const char* step) const {
   MapControl control;
   control.cancelled = cancelled;
-  if (progress) control.progress = [tell = progress, step](double share) { tell(step, share); };
+  if (!progress) return control;
+  control.progress = [tell = progress, step](double share) { tell(step, share); };
+  progress(step, 0.0);
   return control;
 }
 
@@ -44,7 +46,7 @@ FoundMap Session::load_or_compute(const MapOptions& options, const std::string& 
     if (loaded) return {loaded.map, true};
     if (control.note) control.note(loaded.message);
   }
-  const MapResult computed = compute_aspect_map(robot_, options, control.during("Computing a map."));
+  const MapResult computed = compute_aspect_map(robot_, options, control.begin("Computing a map."));
   if (computed.status == MapStatus::refused) problems.push_back(told(computed.message));
   return {computed.map, false};
 }
@@ -62,14 +64,14 @@ FoundMap Session::map(const MapSource& source, const std::vector<WorkingMode>& m
   const FoundMap found = load_or_compute(options, source.load, control, problems);
   if (source.is_default() && !source.hold && modes.empty()) known_map_ = found.map;  // for the next question
   if (!found.map || source.save.empty()) return found;
-  const bool saved = save_with_gates(*found.map, source.save, control.during("Looking for gates."), problems);
+  const bool saved = save_with_gates(*found.map, source.save, control.begin("Looking for gates."), problems);
   return saved ? found : FoundMap{};
 }
 
 std::shared_ptr<const PoseRoadmap> Session::roadmap(const RoadmapOptions& options, const Control& control,
                                                     ProblemList& problems) {
   if (known_roadmap_) return known_roadmap_;
-  const RoadmapResult result = compute_pose_roadmap(robot_, options, control.during("Computing a roadmap."));
+  const RoadmapResult result = compute_pose_roadmap(robot_, options, control.begin("Computing a roadmap."));
   if (result.status == MapStatus::refused) problems.push_back(told(result.message));
   return result.roadmap;
 }

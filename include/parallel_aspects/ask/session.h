@@ -26,7 +26,10 @@ struct Control {
   std::function<void(const std::string& sentence)> note;         ///< what does not keep it from an answer
   const std::atomic<bool>* cancelled = nullptr;                  ///< polled
 
-  MapControl during(const char* step) const;  ///< for one step
+  MapControl begin(const char* step) const;  ///< of one step, of which it tells that it begins
+  bool is_over() const noexcept {            ///< whether it is cancelled
+    return cancelled != nullptr && cancelled->load(std::memory_order_relaxed);
+  }
 };
 
 /// What came of a question.

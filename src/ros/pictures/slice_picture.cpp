@@ -43,12 +43,16 @@ Points square(const Vector2d& center, double side) {
   return {center - across, center + down, center + across, center - across, center + across, center - down};
 }
 
+std::set<int> aspects_of(const BoundaryPicture& traced) {
+  std::set<int> ids;
+  for (const BoundarySliver& sliver : traced.slivers) ids.insert(sliver.aspect);
+  return ids;
+}
+
 void fill(const BoundaryPicture& traced, const AspectColors& colors, const Placing& place,
           const MarkerBatch::Plane& plane, const std::string& group, double height, int highlighted,
           float opacity, MarkerBatch& batch) {
-  std::set<int> ids;
-  for (const BoundarySliver& sliver : traced.slivers) ids.insert(sliver.aspect);
-  for (const int id : ids) {
+  for (const int id : aspects_of(traced)) {
     const auto full = colors.of(id);
     const bool pale = highlighted != 0 && id != highlighted;
     auto shade = pale ? lightened(full, 0.65) : full;
@@ -99,7 +103,7 @@ visualization_msgs::MarkerArray SlicePicture::gallery(const Drawn& now) const {
     const BoundaryPicture traced =
         trace_slice(*map_, map_->working_modes()[tile], slice(now), bounds_, slice_tile_cells);
     draw_tile(tile, traced, batch);
-    draw_titles(tile, now, batch);
+    draw_titles(tile, traced, now, batch);
     all.insert(all.end(), traced.segments.begin(), traced.segments.end());
   }
   const double text = scene_.tiles.text_height();
@@ -124,13 +128,13 @@ void SlicePicture::draw_tile(std::size_t tile, const BoundaryPicture& traced, Ma
               height_of(Layer::frame, text), 0.04 * text, color(0xB0B0B0));
 }
 
-// The first aspects of a working mode, and always the present one.
-std::vector<int> SlicePicture::legend(const WorkingMode& mode, const Drawn& now) const {
-  std::vector<int> ids;
-  for (const Aspect& aspect : map_->aspects())
-    if (aspect.mode == mode) ids.push_back(aspect.id);
-  if (ids.size() <= max_lines) return ids;
+// Of those that are drawn the first, and always the present one.
+std::vector<int> SlicePicture::legend(const std::set<int>& drawn, const WorkingMode& mode,
+                                      const Drawn& now) const {
+  std::vector<int> ids(drawn.begin(), drawn.end());
   const bool here = now && now->mode == mode && now->aspect != 0;
+  if (here && drawn.count(now->aspect) == 0) ids.push_back(now->aspect);  // thinner than the grid shows
+  if (ids.size() <= max_lines) return ids;
   const bool hidden =
       here && std::find(ids.begin(), ids.begin() + max_lines, now->aspect) == ids.begin() + max_lines;
   ids.resize(max_lines);
@@ -138,7 +142,8 @@ std::vector<int> SlicePicture::legend(const WorkingMode& mode, const Drawn& now)
   return ids;
 }
 
-void SlicePicture::draw_titles(std::size_t tile, const Drawn& now, MarkerBatch& batch) const {
+void SlicePicture::draw_titles(std::size_t tile, const BoundaryPicture& traced, const Drawn& now,
+                               MarkerBatch& batch) const {
   const double text = scene_.tiles.text_height();
   const double height = height_of(Layer::text, text);
   const WorkingMode& mode = map_->working_modes()[tile];
@@ -146,7 +151,8 @@ void SlicePicture::draw_titles(std::size_t tile, const Drawn& now, MarkerBatch& 
   batch.text(gallery_plane_, "gallery/modes", scene_.tiles.center(tile) + half_up + Vector2d(0.0, 0.8 * text),
              height, text, "mode " + to_string(mode), ink());
   Vector2d line = scene_.tiles.center(tile) - half_up - Vector2d(0.0, 0.7 * text);
-  const std::vector<int> shown = legend(mode, now);
+  const std::set<int> drawn = aspects_of(traced);
+  const std::vector<int> shown = legend(drawn, mode, now);
   for (const int id : shown) {
     const Vector2d swatch = line - Vector2d(0.5 * scene_.tiles.side() + 0.4 * text, 0.0);
     batch.triangles(gallery_plane_, "gallery/swatches", square(swatch, 0.6 * text),
@@ -155,12 +161,9 @@ void SlicePicture::draw_titles(std::size_t tile, const Drawn& now, MarkerBatch& 
                legend_text(map_->aspects()[static_cast<std::size_t>(id - 1)], space_), ink());
     line.y() -= 0.9 * text;
   }
-  const auto all =
-      static_cast<std::size_t>(std::count_if(map_->aspects().begin(), map_->aspects().end(),
-                                             [&](const Aspect& aspect) { return aspect.mode == mode; }));
-  if (all > shown.size())
+  if (drawn.size() > shown.size())
     batch.text(gallery_plane_, "gallery/sizes", line, height, 0.75 * text,
-               "and " + std::to_string(all - shown.size()) + " more", ink());
+               "and " + std::to_string(drawn.size() - shown.size()) + " more here", ink());
 }
 
 visualization_msgs::MarkerArray SlicePicture::present(const Drawn& now) const {
@@ -209,7 +212,7 @@ double SlicePicture::level_change(const Drawn& before, const Drawn& now) const {
 bool SlicePicture::gallery_differs(const Drawn& before, const Drawn& now) const {
   if (!options_.gallery || !now) return false;
   return level_change(before, now) > gallery_step * level_range_ ||
-         legend(now->mode, before) != legend(now->mode, now);
+         (before ? before->aspect : 0) != now->aspect;  // which the legend always has
 }
 
 bool SlicePicture::present_differs(const Drawn& before, const Drawn& now) const {

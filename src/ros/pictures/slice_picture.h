@@ -11,6 +11,7 @@
 #include "ros/pictures/scene.h"
 
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace parallel_aspects {
@@ -36,8 +37,9 @@ class SlicePicture : public Picture {
   std::optional<std::size_t> tile_of(const WorkingMode& mode) const;
   Eigen::Vector2d in_tile(const Eigen::Vector2d& point, std::size_t tile) const;
   void draw_tile(std::size_t tile, const BoundaryPicture& traced, MarkerBatch& batch) const;
-  std::vector<int> legend(const WorkingMode& mode, const Drawn& now) const;
-  void draw_titles(std::size_t tile, const Drawn& now, MarkerBatch& batch) const;
+  std::vector<int> legend(const std::set<int>& drawn, const WorkingMode& mode, const Drawn& now) const;
+  void draw_titles(std::size_t tile, const BoundaryPicture& traced, const Drawn& now,
+                   MarkerBatch& batch) const;
   void draw_at_robot(const DrawnConfiguration& now, MarkerBatch& batch) const;
 
   std::shared_ptr<const AspectMap> map_;

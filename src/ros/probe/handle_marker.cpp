@@ -12,7 +12,7 @@ namespace {
 using visualization_msgs::InteractiveMarkerControl;
 using visualization_msgs::Marker;
 
-// Shares of the robot's size.
+// Shares of the size of the robot as it is drawn.
 constexpr double handle_size = 0.16, ball_size = 0.035;
 constexpr double handle_height = 0.1;  // of a planar robot: the mouse takes what is nearest to the viewer
 
@@ -43,16 +43,16 @@ std::uint8_t mode_of_ball(TaskSpace space) {
   }
 }
 
-InteractiveMarkerControl ball(const Manipulator& robot) {
+InteractiveMarkerControl ball(const Manipulator& robot, double size) {
   const Eigen::Vector3d axis =
       directions(robot.task_space()) == 1 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
   InteractiveMarkerControl result = control("move", mode_of_ball(robot.task_space()), axis);
   result.always_visible = true;
   Marker shape;
   shape.type = Marker::SPHERE;
-  shape.scale.x = shape.scale.y = shape.scale.z = ball_size * robot.size();
+  shape.scale.x = shape.scale.y = shape.scale.z = ball_size * size;
   shape.pose.orientation.w = 1.0;
-  if (is_planar(robot.task_space())) shape.pose.position.z = handle_height * robot.size();
+  if (is_planar(robot.task_space())) shape.pose.position.z = handle_height * size;
   shape.color = color(0xE07B00);
   result.markers.push_back(std::move(shape));
   return result;
@@ -61,14 +61,15 @@ InteractiveMarkerControl ball(const Manipulator& robot) {
 }  // namespace
 
 visualization_msgs::InteractiveMarker handle_marker(const Manipulator& manipulator,
-                                                    const geometry_msgs::Pose& pose) {
+                                                    const geometry_msgs::Pose& pose, double radius) {
   const TaskSpace space = manipulator.task_space();
+  const double size = (space == TaskSpace::SO3 ? radius : 1.0) * manipulator.size();
   visualization_msgs::InteractiveMarker marker;
   marker.header.frame_id = manipulator.base_frame();  // stamp zero: feedback comes in this frame
   marker.name = "probe";
   marker.pose = pose;
-  marker.scale = static_cast<float>(handle_size * manipulator.size());
-  marker.controls.push_back(ball(manipulator));
+  marker.scale = static_cast<float>(handle_size * size);
+  marker.controls.push_back(ball(manipulator, size));
   const std::array<std::string, 3> names{"x", "y", "z"};
   const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   for (std::size_t i = 0; i < directions(space); ++i)

@@ -9,7 +9,8 @@ bool has_probe_handle() noexcept { return false; }
 
 class ProbeHandle::Server {};
 
-ProbeHandle::ProbeHandle(const std::string&, const Manipulator&, const geometry_msgs::Pose&, HandleEvents) {}
+ProbeHandle::ProbeHandle(const std::string&, const Manipulator&, const geometry_msgs::Pose&, double,
+                         HandleEvents) {}
 
 ProbeHandle::~ProbeHandle() = default;
 

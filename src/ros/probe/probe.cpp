@@ -64,9 +64,9 @@ Probe::Probe(const NodeSetup& setup, const ros::NodeHandle& private_nh, ProbeSou
       stored_start_(nh_.advertise<Configuration>("start", 1, true)),
       stored_goal_(nh_.advertise<Configuration>("goal", 1, true)),
       spinner_(1, &queue_) {
-  handle_ =
-      std::make_unique<ProbeHandle>(nh_.resolveName("handle"), robot_,
-                                    pose_message(platform_in_base(robot_, start_.wanted)), handle_events());
+  handle_ = std::make_unique<ProbeHandle>(nh_.resolveName("handle"), robot_,
+                                          pose_message(platform_in_base(robot_, start_.wanted)),
+                                          setup.options.display.radius, handle_events());
   if (!has_probe_handle())
     ROS_INFO_STREAM(
         "The probe has no handle in rviz, for the package was built without interactive_markers.");

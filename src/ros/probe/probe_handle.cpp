@@ -18,13 +18,13 @@ bool has_probe_handle() noexcept { return true; }
 class ProbeHandle::Server {
  public:
   Server(const std::string& topic, const Manipulator& manipulator, const geometry_msgs::Pose& pose,
-         HandleEvents events)
+         double radius, HandleEvents events)
       : name_("probe"),
         base_frame_(manipulator.base_frame()),
         modes_(working_modes(manipulator)),
         events_(std::move(events)),
         server_(topic, "", true) {
-    server_.insert(handle_marker(manipulator, pose),
+    server_.insert(handle_marker(manipulator, pose, radius),
                    [this](const InteractiveMarkerFeedbackConstPtr& feedback) { hear(*feedback); });
     fill_menu(manipulator);
     menu_.apply(server_, name_);
@@ -101,8 +101,8 @@ class ProbeHandle::Server {
 };
 
 ProbeHandle::ProbeHandle(const std::string& topic, const Manipulator& manipulator,
-                         const geometry_msgs::Pose& pose, HandleEvents events)
-    : server_(std::make_unique<Server>(topic, manipulator, pose, std::move(events))) {}
+                         const geometry_msgs::Pose& pose, double radius, HandleEvents events)
+    : server_(std::make_unique<Server>(topic, manipulator, pose, radius, std::move(events))) {}
 
 ProbeHandle::~ProbeHandle() = default;
 

@@ -27,9 +27,10 @@ struct HandleEvents {
 };
 
 /// An interactive marker with what the platform can do: arrows for directions, rings for rotations, and a
-/// ball in the middle, at a pose in the base frame.
+/// ball in the middle, at a pose in the base frame. `radius`: of the sphere that a robot of SO3 takes, as its
+/// model has no size [m].
 visualization_msgs::InteractiveMarker handle_marker(const Manipulator& manipulator,
-                                                    const geometry_msgs::Pose& pose);
+                                                    const geometry_msgs::Pose& pose, double radius);
 
 /// Whether the package was built with interactive_markers. Without them the probe has topics alone.
 bool has_probe_handle() noexcept;
@@ -40,7 +41,7 @@ class ProbeHandle {
  public:
   /// `topic`: resolved; updates and feedback are below it.
   ProbeHandle(const std::string& topic, const Manipulator& manipulator, const geometry_msgs::Pose& pose,
-              HandleEvents events);
+              double radius, HandleEvents events);
   ~ProbeHandle();
 
   /// Takes it to where the probe is; while somebody drags it, rviz waits for the end of that.

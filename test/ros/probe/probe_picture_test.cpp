@@ -117,7 +117,7 @@ TEST_P(PictureOf, HasRobotSingularityAndWordsAndTakesAwayWhatIsNoMore) {
 }
 
 TEST_P(PictureOf, HandleHasAControlForEachDegreeOfFreedom) {
-  const auto marker = handle_marker(robot_, pose_message(platform_in_base(robot_, start_.pose)));
+  const auto marker = handle_marker(robot_, pose_message(platform_in_base(robot_, start_.pose)), 1.0);
   EXPECT_EQ(marker.header.stamp, ros::Time());
   std::size_t arrows = 0, rings = 0;
   for (const InteractiveMarkerControl& control : marker.controls) {
@@ -138,12 +138,24 @@ INSTANTIATE_TEST_SUITE_P(ShippedRobots, PictureOf,
 
 TEST(Handle, BallOfAPlanarRobotMovesInItsPlane) {
   const auto mechanism = test::shipped("five_bar");
-  const auto marker = handle_marker(*mechanism->manipulator(), {});
+  const auto marker = handle_marker(*mechanism->manipulator(), {}, 1.0);
   const InteractiveMarkerControl& ball = marker.controls.front();
   EXPECT_EQ(ball.interaction_mode, InteractiveMarkerControl::MOVE_PLANE);
   const auto& q = ball.orientation;
   const Eigen::Vector3d across = Eigen::Quaterniond(q.w, q.x, q.y, q.z) * Eigen::Vector3d::UnitX();
   EXPECT_NEAR(across.z(), 1.0, 1e-12);
+}
+
+TEST(Handle, OfAWristIsAsLargeAsItIsDrawn) {
+  const auto mechanism = test::shipped("agile_eye");
+  const auto unit = handle_marker(*mechanism->manipulator(), {}, 1.0);
+  const auto drawn = handle_marker(*mechanism->manipulator(), {}, 0.1);
+  EXPECT_NEAR(drawn.scale, 0.1 * unit.scale, 1e-6);
+  EXPECT_NEAR(drawn.controls.front().markers.front().scale.x,
+              0.1 * unit.controls.front().markers.front().scale.x, 1e-9);
+  const auto planar = test::shipped("five_bar");
+  EXPECT_EQ(handle_marker(*planar->manipulator(), {}, 0.1).scale,
+            handle_marker(*planar->manipulator(), {}, 1.0).scale);
 }
 
 }  // namespace
