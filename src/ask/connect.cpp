@@ -21,7 +21,7 @@ class Connecting {
 
   Outcome<ConnectAnswer> run() {
     check();
-    if (problems_.empty() && needs_map()) map_ = session_.map(question_.map, modes_, control_, problems_).map;
+    if (problems_.empty() && result_.slice) find_map();
     for (const WorkingMode& mode : modes_) {
       if (!problems_.empty() || is_over()) break;
       result_.answers.push_back(connection(mode));
@@ -57,8 +57,15 @@ class Connecting {
     return pose.value_or(Pose());
   }
 
+  /// Null where none is asked; a map is made when something is not proved without it.
+  const AspectMap* find_map() {
+    if (!map_ && has_map() && problems_.empty())
+      map_ = session_.map(question_.map, modes_, control_, problems_).map;
+    return map_.get();
+  }
+
   // Maps of one or two degrees of freedom are quick; others are made where they are asked for.
-  bool needs_map() const {
+  bool has_map() const {
     if (question_.brief && !result_.slice) return session_.known_map() != nullptr;
     return result_.slice || session_.known_map() || !question_.map.is_default() ||
            degrees_of_freedom(robot().task_space()) <= 2;
@@ -67,7 +74,7 @@ class Connecting {
   ConnectionInMode connection(const WorkingMode& mode) {
     ConnectionInMode found{mode, result_.slice ? in_slice(mode) : compared(mode), {}, {}, {}};
     if (found.comparison.path.size() > 1 && !result_.slice) measure(found);
-    if (found.comparison.answer != SameAspect::no && map_ && !question_.brief)
+    if (found.comparison.answer != SameAspect::no && !question_.brief && find_map() != nullptr)
       found.bottleneck = {question_.index,
                           find_bottleneck(*map_, mode, result_.from, result_.to, question_.index, {},
                                           control_.begin("Looking for the bottleneck."))};
@@ -81,9 +88,10 @@ class Connecting {
     const auto over = roadmap(mode);
     if (!over) return found;
     found = same_aspect(*over, first, second, SearchEffort::brief);
-    if (found.searched_sign != 0 && map_) ask_map(*map_, first, second, found);
+    if (found.searched_sign != 0 && find_map() != nullptr) ask_map(*map_, first, second, found);
     const bool is_open = found.searched_sign != 0 && found.answer == SameAspect::unknown;
-    if (is_open && modes_.size() <= modes_of_thorough_search) found = same_aspect(*over, first, second);
+    if (is_open && (question_.brief || modes_.size() <= modes_of_thorough_search))
+      found = same_aspect(*over, first, second);
     return found;
   }
 
@@ -97,6 +105,7 @@ class Connecting {
 
   // Paths stay in the slice, so that roadmaps are of no use.
   AspectComparison in_slice(const WorkingMode& mode) const {
+    if (!map_) return {};  // cancelled or refused
     const Location first = map_->locate(result_.from, mode), second = map_->locate(result_.to, mode);
     for (const LocationStatus status : {first.status, second.status}) {
       if (status == LocationStatus::outside)

@@ -70,19 +70,19 @@ void check_cusp(const Manipulator& robot, const PlanQuestion& question, const st
 void plan_around(Session& session, const PlanQuestion& question, PathEnd from, const Control& control,
                  PlanAnswer& answer, ProblemList& problems) {
   const Manipulator& robot = *session.robot();
-  const FoundMap found = session.map(question.map, {}, control, problems);
-  if (!found.map) return;
-  const MapControl looking = control.begin("Looking for a path around the cusp.");
-  CuspList cusps = find_cusps(robot, *found.map->slice()->joint, looking);
+  CuspList cusps = find_cusps(robot, *answer.slice->joint, control.begin("Looking for cusps."));
   const std::size_t cusp = question.around_cusp->value - 1;
-  if (is_cancelled(looking)) return;
+  if (control.is_over()) return;
   if (cusp >= cusps.cusps.size())
     problems.push_back(wrong(ProblemKind::value,
-                             "is " + std::to_string(cusp + 1) + ", but with " +
-                                 to_string(*found.map->slice()) + " " + list_of(robot, cusps),
+                             "is " + std::to_string(cusp + 1) + ", but with " + to_string(*answer.slice) +
+                                 " " + list_of(robot, cusps),
                              "give the number of one of these"));
+  const FoundMap found = problems.empty() ? session.map(question.map, {}, control, problems) : FoundMap{};
+  if (!found.map) return;
   place_in_aspect("start", *found.map, question.start, from, problems);
   if (!problems.empty()) return;
+  const MapControl looking = control.begin("Looking for a path around the cusp.");
   const auto planner = std::make_shared<CuspPlanner>(found.map, std::move(cusps.cusps));
   answer.map = found.map;
   answer.loaded = found.loaded;

@@ -79,11 +79,11 @@ class Planning {
   }
 
   void check_roadmap() {
-    const std::string none = robot().task_space() == TaskSpace::SE3 ? "in SE3 there is none"
-                                                                    : "{samples} and {seed} ask a roadmap";
+    const bool is_needed = robot().task_space() == TaskSpace::SE3;
+    const std::string none = is_needed ? "in SE3 there is none" : "{samples} and {seed} ask a roadmap";
     if (question_.policy == PathPolicy::any)
       problems_.push_back({ProblemKind::robot, "policy", "{policy} any needs a map, and " + none,
-                           "give {policy} serial, or {hold}"});
+                           is_needed ? "give {policy} serial, or {hold}" : "leave {samples} and {seed} out"});
     if (!question_.map.is_default())
       problems_.push_back({ProblemKind::robot, "load",
                            "{resolution}, {load} and {save} are for maps, and " + none, "leave them out"});
@@ -107,7 +107,7 @@ class Planning {
                                " needs a platform that is under control all the way, and {policy} any may "
                                "pass det A = 0",
                            "give {policy} serial"});
-    Problems missing = problems_of(robot(), acceleration_);
+    const Problems missing = problems_of(robot(), acceleration_);
     is_timed_ = missing.empty();
     if (is_timed_ || (needed_by.empty() && !question_.acceleration)) return;
     if (!has_values)

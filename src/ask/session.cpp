@@ -36,7 +36,7 @@ void Session::know(std::shared_ptr<const PoseRoadmap> roadmap) { known_roadmap_ 
 
 std::optional<MapSlice> Session::slice_of(const MapSource& source) const {
   if (source.hold) return source.hold;
-  return known_map_ && source.is_default() ? known_map_->slice() : options_.slice;
+  return known_map_ ? known_map_->slice() : options_.slice;
 }
 
 FoundMap Session::load_or_compute(const MapOptions& options, const std::string& file, const Control& control,
@@ -53,19 +53,29 @@ FoundMap Session::load_or_compute(const MapOptions& options, const std::string& 
 
 FoundMap Session::map(const MapSource& source, const std::vector<WorkingMode>& modes, const Control& control,
                       ProblemList& problems) {
-  if (known_map_ && source.is_default() && !source.hold) return {known_map_, false};
-  MapOptions options = options_;
+  const bool is_there = !source.hold && !source.resolution && source.load.empty();
+  FoundMap found;
+  if (is_there && known_map_) found.map = known_map_;
+  if (is_there && !known_map_ && modes.empty()) found.map = computed_map_;
+  if (!found.map) {
+    found = load_or_compute(options_for(source, modes), source.load, control, problems);
+    if (is_there && modes.empty()) computed_map_ = found.map;  // for the next question
+  }
+  if (!found.map || source.save.empty()) return found;
+  const bool saved = save_with_gates(*found.map, source.save, control.begin("Looking for gates."), problems);
+  return saved ? found : FoundMap{};
+}
+
+// A finer map of what is known is of the same slice, modes and region.
+MapOptions Session::options_for(const MapSource& source, const std::vector<WorkingMode>& modes) const {
+  MapOptions options = known_map_ ? options_of(*known_map_) : options_;
   if (source.hold) {  // region and resolution are those of all poses
     options.region.reset();
     options.slice = source.hold;
   }
   if (source.hold || source.resolution) options.resolution = source.resolution;
   if (!modes.empty()) options.modes = modes;
-  const FoundMap found = load_or_compute(options, source.load, control, problems);
-  if (source.is_default() && !source.hold && modes.empty()) known_map_ = found.map;  // for the next question
-  if (!found.map || source.save.empty()) return found;
-  const bool saved = save_with_gates(*found.map, source.save, control.begin("Looking for gates."), problems);
-  return saved ? found : FoundMap{};
+  return options;
 }
 
 std::shared_ptr<const PoseRoadmap> Session::roadmap(const RoadmapOptions& options, const Control& control,

@@ -137,6 +137,14 @@ py::object DictWriter::object_of_value(const MapSlice& slice) const {
   return object_of(tools::json_slice(slice));
 }
 
+py::object DictWriter::object_of_value(const CuspStart& start) const {
+  const auto& point = start.point;
+  return py::dict(py::arg("component") = start.aspect,
+                  py::arg("pose") = point ? object_of_value(point->pose) : py::none(),
+                  py::arg("working_mode") = point ? object_of_value(point->mode) : py::none(),
+                  py::arg("actuated") = point ? py::object(array_of(point->q)) : py::object(py::none()));
+}
+
 py::object DictWriter::object_of_value(const std::vector<PathCrossing>& crossings) const {
   py::list list;
   for (const PathCrossing& each : crossings) {

@@ -7,6 +7,7 @@
 
 #include "support/robots/robots.h"
 #include "support/robots/shipped.h"
+#include "support/slices.h"
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -152,6 +153,24 @@ TEST(PlanQuestion, AsksARoadmapWhereSamplesAreGiven) {
   EXPECT_EQ(outcome.answer.path.answer, SameAspect::yes) << outcome.answer.path.message;
   session.know(compute_aspect_map(test::five_bar()).map);
   EXPECT_EQ(answer(session, question).status, MapStatus::refused);
+}
+
+// A finer map of a slice is one of the slice.
+TEST(Session, StaysInTheSliceThatIsKnown) {
+  const auto robot = test::five_bar();
+  MapOptions options;
+  options.slice = test::slice_of(robot, {{"x", 4.5}});
+  options.modes = {*WorkingMode::from_signs({1, 1})};
+  Session session(robot);
+  session.know(compute_aspect_map(robot, options).map);
+  PlanQuestion question = between(left, Pose::planar(4.5, 6.0));
+  question.map.resolution = 0.05;
+  const auto outcome = answer(session, question);
+  ASSERT_TRUE(outcome);
+  ASSERT_TRUE(outcome.answer.map && outcome.answer.map->slice());
+  EXPECT_EQ(outcome.answer.map->working_modes(), options.modes);
+  ASSERT_TRUE(outcome.answer.path) << outcome.answer.path.message;
+  for (const PathPoint& point : outcome.answer.path.points) EXPECT_NEAR(point.pose.position.x(), 4.5, 1e-9);
 }
 
 TEST(Session, KeepsTheMapThatItComputed) {

@@ -73,7 +73,8 @@ TEST(MapChoice, NamesAPoseThatIsTaken) {
   const Placed off = placed(*robot, "leg_1_joint=15", "-14.89612810 1.58296166 0.24530953");
   ASSERT_EQ(off.problems.size(), 1U);
   const std::string& message = off.problems.front();
-  const std::size_t begin = message.find("The nearest is \"") + 16, end = message.find('"', begin);
+  const std::string words = "The nearest in the task frame is \"";
+  const std::size_t begin = message.find(words) + words.size(), end = message.find('"', begin);
   ASSERT_NE(end, std::string::npos) << message;
   const Placed again = placed(*robot, "leg_1_joint=15", message.substr(begin, end - begin));
   EXPECT_TRUE(again.problems.empty()) << message;

@@ -15,6 +15,7 @@
 
 namespace parallel_aspects {
 
+/// All values, for whoever reads one by its name.
 inline constexpr std::array<ParallelIndex, 2> choices(ParallelIndex /*tag*/) {
   return {ParallelIndex::normalised, ParallelIndex::determinant};
 }
@@ -23,15 +24,17 @@ namespace ask {
 
 /// Whether two poses lie in one aspect.
 struct ConnectQuestion {
-  std::optional<Pose> start{}, goal{};
-  std::optional<WorkingMode> mode{};  ///< by default every one
-  MapSource map{};
-  std::optional<Count<1, 100000>> samples{};
-  std::optional<Count<0, 4294967295>> seed{};
+  std::optional<Pose> start{};                      ///< one of the two
+  std::optional<Pose> goal{};                       ///< the other
+  std::optional<WorkingMode> mode{};                ///< by default every one
+  MapSource map{};                                  ///< that is asked last, or of the slice
+  std::optional<Count<1, 100000>> samples{};        ///< of the roadmap
+  std::optional<Count<0, 4294967295>> seed{};       ///< of the roadmap
   ParallelIndex index = ParallelIndex::normalised;  ///< of bottlenecks
   bool brief = false;  ///< asks no map but one that is known, and looks for no bottleneck
 };
 
+/// Its fields.
 template <class Visit>
 void describe(Visit& visit, ConnectQuestion& question) {
   visit({"start", "\"x y\"", "A pose of the platform; lengths [m]"}, question.start);
@@ -57,19 +60,20 @@ void describe(Visit& visit, ConnectQuestion& question) {
 
 /// The largest index that a path can keep, and which index.
 struct IndexBottleneck {
-  ParallelIndex kind = ParallelIndex::normalised;
-  Bottleneck found;
+  ParallelIndex kind = ParallelIndex::normalised;  ///< by which
+  Bottleneck found;                                ///< the largest
 };
 
 /// What is known in one working mode.
 struct ConnectionInMode {
-  WorkingMode mode;
-  AspectComparison comparison;
+  WorkingMode mode;                           ///< which
+  AspectComparison comparison;                ///< as of `same_aspect`
   std::optional<PathClearance> clearance;     ///< of its path, where there is one; `time` counts segments
   std::optional<Pose> narrowest;              ///< of the path, where `clearance->measured` was measured
   std::optional<IndexBottleneck> bottleneck;  ///< where there is a map
 };
 
+/// Its fields.
 template <class Visit>
 void describe(Visit& visit, const ConnectionInMode& answer) {
   visit({"working_mode", "", "signs of B_jj"}, answer.mode);
@@ -99,15 +103,18 @@ void describe(Visit& visit, const ConnectionInMode& answer) {
       answer.bottleneck);
 }
 
+/// Whether they do.
 struct ConnectAnswer {
-  TaskSpace task_space = TaskSpace::T2;
-  Pose from, to;  ///< as they were asked of, moved onto the slice
-  std::vector<ConnectionInMode> answers;
-  std::optional<MapSlice> slice;
+  TaskSpace task_space = TaskSpace::T2;    ///< of the robot
+  Pose from;                               ///< as it was asked of, moved onto the slice
+  Pose to;                                 ///< likewise
+  std::vector<ConnectionInMode> answers;   ///< one a working mode
+  std::optional<MapSlice> slice;           ///< nothing where all poses were meant
   std::optional<double> moved_onto_slice;  ///< the farther of the two [m]
   std::vector<std::string> remarks;        ///< sentences for people, fields in braces
 };
 
+/// Its fields.
 template <class Visit>
 void describe(Visit& visit, const ConnectAnswer& answer) {
   visit({"task_space", "", "how the platform moves"}, answer.task_space);

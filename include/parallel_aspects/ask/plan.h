@@ -20,6 +20,7 @@ namespace parallel_aspects {
 inline constexpr std::array<PathPolicy, 3> choices(PathPolicy /*tag*/) {
   return {PathPolicy::stay, PathPolicy::serial, PathPolicy::any};
 }
+/// Likewise.
 inline constexpr std::array<PathPreference, 4> choices(PathPreference /*tag*/) {
   return {PathPreference::shortest, PathPreference::clear, PathPreference::fast, PathPreference::quick};
 }
@@ -28,7 +29,7 @@ namespace ask {
 
 /// Where a path begins or ends.
 struct EndQuestion {
-  std::optional<Pose> pose{};
+  std::optional<Pose> pose{};         ///< in the task frame
   std::optional<WorkingMode> mode{};  ///< by default any
   std::optional<JointVector>
       joints{};  ///< in place of a pose, or with one, which tells of several the nearest
@@ -39,18 +40,21 @@ struct EndQuestion {
 
 /// A path of the platform that is proved, or a proof that there is none.
 struct PlanQuestion {
-  EndQuestion start{}, goal{};
-  PathPolicy policy = PathPolicy::stay;
-  PathPreference prefer = PathPreference::quick;
-  std::optional<Count<1, 10000>> around_cusp{};  ///< in place of a goal
-  MapSource map{};
-  std::optional<Count<1, 100000>> samples{};
-  std::optional<Count<0, 4294967295>> seed{};
+  EndQuestion start{};                            ///< where it begins
+  EndQuestion goal{};                             ///< and ends
+  PathPolicy policy = PathPolicy::stay;           ///< what it may pass
+  PathPreference prefer = PathPreference::quick;  ///< which of several
+  std::optional<Count<1, 10000>> around_cusp{};   ///< in place of a goal
+  MapSource map{};                                ///< that is asked
+  std::optional<Count<1, 100000>> samples{};      ///< of a roadmap in place of a map
+  std::optional<Count<0, 4294967295>> seed{};     ///< likewise
+
   /// Limits [rad/s^2 or m/s^2]; by default those of the session. The path is timed where they are known.
   std::optional<JointVector> acceleration{};
   std::string timed_for{};  ///< a clause: what needs the path in time, which is refused where there is none
 };
 
+/// Fields of an end.
 template <class Visit>
 void describe_end(Visit& visit, const std::string& name, EndQuestion& end) {
   const bool starts = name == "start";
@@ -66,6 +70,7 @@ void describe_end(Visit& visit, const std::string& name, EndQuestion& end) {
         end.aspect);
 }
 
+/// Its fields.
 template <class Visit>
 void describe(Visit& visit, PlanQuestion& question) {
   describe_end(visit, "start", question.start);
@@ -105,25 +110,26 @@ void describe(Visit& visit, PlanQuestion& question) {
 
 /// What is known of the path.
 struct PlanAnswer {
-  PathPolicy policy = PathPolicy::stay;
-  PathPreference prefer = PathPreference::quick;
-  PlannedPath path;
-  std::optional<MapSlice> slice;
-  std::optional<double> moved_onto_slice;      ///< the farthest of the ends [m]
-  std::shared_ptr<const AspectMap> map;        ///< null where no map was asked
-  bool loaded = false;                         ///< from the file
-  PoseBetween between = pose_between;          ///< how the pose runs from a point to the next
-  std::optional<Count<1, 10000>> around_cusp;  ///< as asked
-  std::optional<std::vector<int>> turns_around_cusps;
-  std::optional<double> encoder_noise;  ///< `CuspPlanner::followed_noise`
-  CuspStart other_start;                ///< where to begin, where no path around the cusp is found
-  std::vector<std::string> remarks;     ///< sentences for people, fields in braces
-  std::optional<TimedPath> timed;       ///< where asked for and there is a path
+  PathPolicy policy = PathPolicy::stay;                ///< as asked
+  PathPreference prefer = PathPreference::quick;       ///< as asked
+  PlannedPath path;                                    ///< or why there is none
+  std::optional<MapSlice> slice;                       ///< that it stays in
+  std::optional<double> moved_onto_slice;              ///< the farthest of the ends [m]
+  std::shared_ptr<const AspectMap> map;                ///< null where no map was asked
+  bool loaded = false;                                 ///< from the file
+  PoseBetween between = pose_between;                  ///< how the pose runs from a point to the next
+  std::optional<Count<1, 10000>> around_cusp;          ///< as asked
+  std::optional<std::vector<int>> turns_around_cusps;  ///< by cusp, counter-clockwise
+  std::optional<double> encoder_noise;                 ///< `CuspPlanner::followed_noise`
+  CuspStart other_start;             ///< where to begin, where no path around the cusp is found
+  std::vector<std::string> remarks;  ///< sentences for people, fields in braces
+  std::optional<TimedPath> timed;    ///< where asked for and there is a path
 };
 
 /// How the pose runs from a point of a path to the next; what is proved is proved of this curve alone.
 std::string between_points(const std::optional<MapSlice>& slice);
 
+/// Its fields.
 template <class Visit>
 void describe(Visit& visit, const PlanAnswer& answer) {
   const bool has_path = static_cast<bool>(answer.path);
@@ -171,6 +177,10 @@ void describe(Visit& visit, const PlanAnswer& answer) {
        "of such a path: an estimate of the largest `tracking/encoder_noise` with which a tracker follows it; "
        "else null"},
       answer.encoder_noise);
+  visit({"other_start", "",
+         "with {around_cusp} and without a path: the `component` that the cusp belongs to and, where one is "
+         "found, `pose`, `working_mode` and `actuated` of a start that has a path; else null"},
+        answer.other_start.aspect != 0 ? std::make_optional(answer.other_start) : std::nullopt);
   visit({"loaded", "", "whether the map is that of {load}; null where no map was asked"},
         answer.map ? std::make_optional(answer.loaded) : std::nullopt);
   visit({"seconds", "s", "of the path in time; null where it is not timed"},

@@ -32,8 +32,9 @@ struct Field {
 /// A whole number within this range.
 template <unsigned least, unsigned largest>
 struct Count {
-  unsigned value = least;
-  static constexpr unsigned lower = least, upper = largest;
+  unsigned value = least;                     ///< from the first to the second
+  static constexpr unsigned lower = least;    ///< the first
+  static constexpr unsigned upper = largest;  ///< the second
 };
 
 /// The value of an enumeration with this name. Nothing where there is none; `names` are then all, as
@@ -66,6 +67,7 @@ struct Problem {
   std::string fault;                     ///< a clause; where there is no remedy, whole sentences
   std::string remedy;                    ///< "give {policy} serial": what follows the semicolon
 
+  /// Alike in everything.
   bool operator==(const Problem& other) const {
     return kind == other.kind && field == other.field && fault == other.fault && remedy == other.remedy;
   }
@@ -84,7 +86,7 @@ std::string with_names(const std::string& text, const FieldName& name);
 
 /// "FAULT; REMEDY."
 std::string text_of(const Problem& problem, const FieldName& name);
-Problems texts_of(const ProblemList& problems, const FieldName& name);
+Problems texts_of(const ProblemList& problems, const FieldName& name);  ///< of each
 
 /// A sentence of a layer below.
 Problem told(std::string sentence);

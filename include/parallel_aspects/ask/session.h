@@ -37,8 +37,9 @@ template <class Answer>
 struct Outcome {
   MapStatus status = MapStatus::complete;  ///< of no other the answer is of meaning
   ProblemList problems{};                  ///< why it is refused
-  Answer answer{};
+  Answer answer{};                         ///< where there is one
 
+  /// Whether there is an answer.
   explicit operator bool() const noexcept { return status == MapStatus::complete; }
 };
 
@@ -49,6 +50,7 @@ struct MapSource {
   std::string load{};                  ///< file that may have it; empty for none
   std::string save{};                  ///< file that it is written to, with its gates; empty for none
 
+  /// Whether it names no other map than that which is there, of a slice or not.
   bool is_default() const noexcept { return !resolution && load.empty() && save.empty(); }
 };
 
@@ -56,12 +58,13 @@ struct MapSource {
 struct Acceleration {
   JointVector values{};                        ///< [rad/s^2 or m/s^2]; empty for none
   std::string remedy = "give {acceleration}";  ///< where there are none
+  std::string otherwise{};                     ///< what asks for no path in time; empty for nothing
 };
 
 /// A map, and whether a file had it.
 struct FoundMap {
   std::shared_ptr<const AspectMap> map;  ///< null where refused or cancelled
-  bool loaded = false;
+  bool loaded = false;                   ///< from the file
 };
 
 /// A robot that questions are asked of, and what its answers have in common. For one thread at a time.
@@ -72,13 +75,17 @@ class Session {
 
   /// A map or a roadmap of this robot that is there already: it is asked where a question names no other.
   void know(std::shared_ptr<const AspectMap> map);
-  void know(std::shared_ptr<const PoseRoadmap> roadmap);
+  void know(std::shared_ptr<const PoseRoadmap> roadmap);  ///< likewise
 
+  /// For paths in time.
   void set_acceleration(Acceleration acceleration) { acceleration_ = std::move(acceleration); }
-  const Acceleration& acceleration() const noexcept { return acceleration_; }
+  const Acceleration& acceleration() const noexcept { return acceleration_; }  ///< see above
 
+  /// Whom questions are about; never null.
   const std::shared_ptr<const Manipulator>& robot() const noexcept { return robot_; }
+  /// Of the robot; never null.
   const std::shared_ptr<const SegmentCertifier>& certifier() const noexcept { return certifier_; }
+  /// What was made known; null for none.
   const std::shared_ptr<const AspectMap>& known_map() const noexcept { return known_map_; }
 
   /// The slice that a question is about.
@@ -97,6 +104,7 @@ class Session {
   std::shared_ptr<PathPlanner> planner(const std::shared_ptr<const AspectMap>& map);
 
  private:
+  MapOptions options_for(const MapSource& source, const std::vector<WorkingMode>& modes) const;
   FoundMap load_or_compute(const MapOptions& options, const std::string& file, const Control& control,
                            ProblemList& problems);
 
@@ -104,7 +112,7 @@ class Session {
   MapOptions options_;
   Acceleration acceleration_;
   std::shared_ptr<const SegmentCertifier> certifier_;
-  std::shared_ptr<const AspectMap> known_map_, planned_map_;  // the latter is that of the planner
+  std::shared_ptr<const AspectMap> known_map_, computed_map_, planned_map_;  // the last is the planner's
   std::shared_ptr<const PoseRoadmap> known_roadmap_;
   std::shared_ptr<PathPlanner> planner_;
 };

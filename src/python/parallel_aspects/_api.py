@@ -269,7 +269,7 @@ class Robot:
         return self._core.choose_region(ranges_text(region), values_text(slice))
 
     def connect(
-        self, start: "np.typing.ArrayLike", goal: "np.typing.ArrayLike", progress: Progress = None, **options: Any
+        self, start: "np.typing.ArrayLike", goal: "np.typing.ArrayLike", *, progress: Progress = None, **options: Any
     ) -> Dict[str, Any]:
         """Whether two poses lie in one aspect, by working mode, as of `aspects connect`. Poses of the answer are arrays."""
         return self._core.connect({"start": start, "goal": goal, **options}, progress)
@@ -280,6 +280,7 @@ class Robot:
         goal: "Optional[np.typing.ArrayLike]" = None,
         start_mode: Optional[Mode] = None,
         goal_mode: Optional[Mode] = None,
+        *,
         progress: Progress = None,
         **options: Any,
     ) -> Path:

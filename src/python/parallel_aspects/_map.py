@@ -115,7 +115,7 @@ class Map:
         return [Workspace(**each) for each in self._core.workspace(texts, ids, progress)]
 
     def connect(
-        self, start: "np.typing.ArrayLike", goal: "np.typing.ArrayLike", progress: Optional[Callable[[float], Any]] = None, **options: Any
+        self, start: "np.typing.ArrayLike", goal: "np.typing.ArrayLike", *, progress: Optional[Callable[[float], Any]] = None, **options: Any
     ) -> Dict[str, Any]:
         """Whether two poses lie in one aspect, by working mode, as of `aspects connect`; this map is asked. Poses of the answer are arrays."""
         return self._core.connect({"start": start, "goal": goal, **options}, progress)
@@ -126,6 +126,7 @@ class Map:
         goal: "Optional[np.typing.ArrayLike]" = None,
         start_mode: Optional[Mode] = None,
         goal_mode: Optional[Mode] = None,
+        *,
         progress: Optional[Callable[[float], Any]] = None,
         **options: Any,
     ) -> Path:

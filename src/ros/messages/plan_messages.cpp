@@ -63,6 +63,7 @@ void write_path(const Manipulator& manipulator, const PlannedPath& path, PlanPat
     for (const std::int8_t sign : signs_message(point.mode)) result.working_modes.push_back(sign);
   for (const PathCrossing& crossing : path.crossings) {
     result.crossings.push_back(static_cast<std::uint32_t>(crossing.point));
+    result.crossings_behind.push_back(static_cast<std::uint32_t>(crossing.behind));
     result.crossing_legs.push_back(crossing.kind == Crossing::serial ? manipulator.leg(crossing.leg).name
                                                                      : std::string());
   }

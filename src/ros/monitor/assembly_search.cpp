@@ -18,9 +18,13 @@ void AssemblySearch::follow(const std::vector<TrackedSample>& samples) {
   }
 }
 
+// Not where it was lost again by a sample since.
 bool AssemblySearch::found() const {
-  return std::any_of(transitions_.begin(), transitions_.end(),
-                     [](const Transition& transition) { return transition.kind == TransitionKind::found; });
+  const auto last =
+      std::find_if(transitions_.rbegin(), transitions_.rend(), [](const Transition& transition) {
+        return transition.kind == TransitionKind::found || transition.kind == TransitionKind::lost;
+      });
+  return last != transitions_.rend() && last->kind == TransitionKind::found;
 }
 
 void AssemblySearch::keep_transitions() {

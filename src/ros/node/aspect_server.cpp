@@ -8,6 +8,7 @@
 #include <XmlRpcValue.h>
 #include <exception>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,18 +22,24 @@ const ros::WallDuration between_looks(2.0);  // at the master
 class AskedParameters {
  public:
   explicit AskedParameters(const ros::NodeHandle& private_nh) : private_nh_(private_nh) {
-    for (const char* group : {"thresholds", "display"})
-      if (XmlRpc::XmlRpcValue value; private_nh_.getParam(group, value)) groups_[group] = value;
+    for (const char* group : {"thresholds", "display"}) {
+      XmlRpc::XmlRpcValue value;
+      groups_[group] = private_nh_.getParam(group, value) ? std::make_optional(value) : std::nullopt;
+    }
   }
   ~AskedParameters() {
-    for (const auto& [group, value] : groups_) private_nh_.setParam(group, value);
+    for (const auto& [group, value] : groups_)
+      if (value)
+        private_nh_.setParam(group, *value);
+      else
+        private_nh_.deleteParam(group);
   }
   AskedParameters(const AskedParameters&) = delete;
   AskedParameters& operator=(const AskedParameters&) = delete;
 
  private:
   ros::NodeHandle private_nh_;
-  std::map<std::string, XmlRpc::XmlRpcValue> groups_;
+  std::map<std::string, std::optional<XmlRpc::XmlRpcValue>> groups_;
 };
 
 }  // namespace

@@ -58,8 +58,8 @@ void PlanServer::shutdown() {
 
 ask::Acceleration PlanServer::acceleration_for(const PlanPathGoal& goal) const {
   if (goal.path_only) return {};
-  return {setup_.options.acceleration,
-          "set the parameter ~motion/acceleration and reload, or ask with path_only"};
+  return {setup_.options.acceleration, "set the parameter ~motion/acceleration and reload",
+          goal.prefer == PlanPathGoal::FAST ? "" : "ask with path_only"};
 }
 
 void PlanServer::on_goal(const PlanPathGoalConstPtr& goal) {
@@ -80,16 +80,23 @@ void PlanServer::on_goal(const PlanPathGoalConstPtr& goal) {
 
 Status PlanServer::read(const PlanPathGoal& goal, Question& question) const {
   question.stay_in_domain = goal.stay_in_domain;
-  Status status = read_margin(goal, has_map(manipulator_->task_space()), question.margin);
-  if (is_ok(status)) status = read_ends(goal, question.asked);
+  Status status = read_ends(goal, question);
   if (is_ok(status)) status = read_wish(*manipulator_, goal, question.asked);
+  const bool mapped = has_map(manipulator_->task_space()) || question.asked.map.hold;
+  if (is_ok(status)) status = read_margin(goal, mapped, question.margin);
   if (is_ok(status)) status = read_map(question);
   return status;
 }
 
-Status PlanServer::read_ends(const PlanPathGoal& goal, ask::PlanQuestion& question) const {
-  const Status status = read_end(goal.start, "start", question.start);
-  return is_ok(status) && goal.around_cusp == 0 ? read_end(goal.goal, "goal", question.goal) : status;
+Status PlanServer::read_ends(const PlanPathGoal& goal, Question& question) const {
+  Status status = read_end(goal.start, "start", question.asked.start);
+  if (!is_ok(status)) return status;
+  question.note = status.message;
+  if (goal.around_cusp > 0) return {};
+  status = read_end(goal.goal, "goal", question.asked.goal);
+  if (is_ok(status) && !status.message.empty())
+    question.note += (question.note.empty() ? "" : " ") + status.message;
+  return is_ok(status) ? Status() : status;
 }
 
 // That of a slice is computed for the question.
@@ -179,6 +186,7 @@ void PlanServer::finish(ask::Outcome<ask::PlanAnswer> outcome, const Question& q
   if (!outcome) {
     result.status = refused(outcome.problems);
     result.reason = result.status.message;
+    std::this_thread::sleep_for(before_refusal);
     return server_->setAborted(result, result.reason);
   }
   ask::PlanAnswer& answer = outcome.answer;
@@ -186,6 +194,7 @@ void PlanServer::finish(ask::Outcome<ask::PlanAnswer> outcome, const Question& q
   const PathDomains domains = domains_along(answer.path, answer.between, worker_.domains(), around_anchor);
   keep_to_domain(question, domains, answer);
   write_answer(*manipulator_, answer, result);
+  if (!question.note.empty()) result.reason = question.note + " " + result.reason;
   write_domains(domains, result);
   if (answer.path) publish(answer, result);
   server_->setSucceeded(result, result.reason);

@@ -41,6 +41,7 @@ class PlanServer {
   /// A goal, understood.
   struct Question {
     ask::PlanQuestion asked;
+    std::string note;  // of what was taken for an end
     bool stay_in_domain = false;
     KnownAspects known;
     double margin = 0.0;  // parallel index to be kept; 0 for what the robot keeps anyway
@@ -55,7 +56,7 @@ class PlanServer {
 
   void on_goal(const PlanPathGoalConstPtr& goal);
   Status read(const PlanPathGoal& goal, Question& question) const;
-  Status read_ends(const PlanPathGoal& goal, ask::PlanQuestion& question) const;
+  Status read_ends(const PlanPathGoal& goal, Question& question) const;
   Status read_map(Question& question) const;
   Status read_end(const Configuration& configuration, const std::string& which, ask::EndQuestion& end) const;
   Status read_now(ask::EndQuestion& end) const;

@@ -100,9 +100,17 @@ std::string other_start_text(const Manipulator& manipulator, const ask::PlanAnsw
 std::string reason_of(const Manipulator& manipulator, const ask::PlanAnswer& answer) {
   std::string text = answer.path.message + other_start_text(manipulator, answer);
   if (answer.encoder_noise) text += " " + noise_text(*answer.encoder_noise);
-  for (const std::string& each : answer.remarks) text += " " + ask::with_names(each, ask::plain_name);
+  for (const std::string& each : answer.remarks) text += " " + ask::with_names(each, message_field);
   if (answer.turns_around_cusps) text += several_cusps(*answer.turns_around_cusps);
   return text;
+}
+
+/// As the fields of a goal.
+std::string message_field(const std::string& field) {
+  if (field == "hold") return "held_names and held_values, or held_joint";
+  if (field == "start_mode" || field == "goal_mode")
+    return field.substr(0, field.find('_')) + ".working_mode";
+  return field;
 }
 
 }  // namespace
@@ -123,19 +131,21 @@ Status read_wish(const Manipulator& manipulator, const PlanPathGoal& goal, ask::
   if (goal.around_cusp > 0) question.around_cusp.emplace().value = goal.around_cusp;
   if (goal.around_cusp > 0 && goal.stay_in_domain)
     return invalid_request("Around a cusp no path stays in one uniqueness domain; leave out stay_in_domain.");
+  if (goal.around_cusp > 0 && goal.parallel_margin > 0.0)
+    return invalid_request("A path around a cusp keeps no margin; give parallel_margin 0.");
   return read_hold(manipulator, goal, question);
 }
 
 Status refused(const ask::ProblemList& problems) {
   std::string text;
-  for (const std::string& each : texts_of(problems, ask::plain_name))
-    text += (text.empty() ? "" : " ") + each;
+  for (const std::string& each : texts_of(problems, message_field)) text += (text.empty() ? "" : " ") + each;
   return invalid_request(text);
 }
 
 void write_answer(const Manipulator& manipulator, const ask::PlanAnswer& answer, PlanPathResult& result) {
   write_path(manipulator, answer.path, result);
   result.reason = reason_of(manipulator, answer);
+  if (answer.path) result.between_points = ask::between_points(answer.slice);
   result.moved_onto_slice = answer.moved_onto_slice.value_or(0.0);
   result.encoder_noise = answer.encoder_noise.value_or(0.0);
   if (answer.turns_around_cusps)

@@ -19,6 +19,13 @@ json JsonWriter::json_of(double value) const { return json_number(value); }
 
 json JsonWriter::json_of(const MapSlice& slice) const { return json_slice(slice); }
 
+json JsonWriter::json_of(const CuspStart& start) const {
+  json object = {
+      {"component", start.aspect}, {"pose", nullptr}, {"working_mode", nullptr}, {"actuated", nullptr}};
+  if (start.point) object.update(json_of(std::vector<PathPoint>{*start.point}).front());
+  return object;
+}
+
 json JsonWriter::json_of(const Pose& pose) const { return json_pose(robot_.task_space(), pose); }
 
 json JsonWriter::json_of(const std::vector<Pose>& poses) const {

@@ -60,6 +60,7 @@ class JsonWriter {
   nlohmann::json json_of(const std::string& value) const { return value; }
   nlohmann::json json_of(const std::vector<int>& values) const { return values; }
   nlohmann::json json_of(const MapSlice& slice) const;
+  nlohmann::json json_of(const CuspStart& start) const;
   nlohmann::json json_of(const WorkingMode& mode) const { return mode.signs(); }
   nlohmann::json json_of(const Pose& pose) const;
   nlohmann::json json_of(const std::vector<Pose>& poses) const;

@@ -102,8 +102,8 @@ Report report_of(const PlanArguments& arguments, const Surroundings& surrounding
   const auto robot = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   const ask::PlanQuestion question = read(arguments, *robot);
   ask::Session session = session_of(arguments, robot);
-  const ShownAnswering shown(surroundings);
-  const ask::PlanAnswer answer = required(ask::answer(session, question, shown.control()));
+  const ask::PlanAnswer answer =
+      required(ask::answer(session, question, ShownAnswering(surroundings).control()));
   Report report{answer_json(*robot, answer), plan_text(*robot, answer), code_of(answer.path.answer)};
   report.json["mechanism"] = robot->name();
   const Report constraints = report_constraints(*robot);

@@ -118,9 +118,8 @@ TEST(FieldsOfQuestion, HaveTheirTwinInTheMessage) {
 TEST(FieldsOfAnswer, HaveTheirTwinInTheMessage) {
   FieldsOfMessages fields(ros::message_traits::Definition<PlanPathResult>::value());
   describe(fields, ask::PlanAnswer());
-  // Those of the goal, of the node's map, and of what docs/planning.md says of every path.
-  const std::vector<std::string> others{"policy",         "prefer",      "slice",
-                                        "between_points", "around_cusp", "loaded"};
+  // Those of the goal and of the node's map; `reason` names another start.
+  const std::vector<std::string> others{"policy", "prefer", "slice", "around_cusp", "other_start", "loaded"};
   EXPECT_EQ(fields.missing(), others);
 }
 

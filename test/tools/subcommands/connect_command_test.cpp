@@ -149,8 +149,9 @@ TEST_F(RoadmapCommand, ConnectsWithinSlices) {
       run({"connect", "three_rpr", "--from", from, "--to", to, "--slice", "strut_1_joint=15"});
   EXPECT_EQ(beside.code, exit_code::bad_input);
   EXPECT_NE(
-      beside.messages.find("--from lies 0.02 m from the slice strut_1_joint = 15 m; give a pose within "
-                           "0.0004209 m of it. The nearest is \"14.69353504 -3.016625286 2.13290437\"."),
+      beside.messages.find(
+          "--from lies 0.02 m from the slice strut_1_joint = 15 m; give a pose within "
+          "0.0004209 m of it. The nearest in the task frame is \"14.69353504 -3.016625286 2.13290437\"."),
       std::string::npos)
       << beside.messages;
   EXPECT_EQ(answers(run_json({"connect", "delta", "--from", "0 0 -0.6", "--to", "0.1 0 -0.6", "--slice",

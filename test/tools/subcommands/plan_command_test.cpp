@@ -326,7 +326,8 @@ TEST_F(PlanCommand, NamesTheNearestPoseOfTheSlice) {
       run({"plan", "delta", "--hold", "z=-0.6", "--from", "0 0 -0.7", "--to", "0.1 0 -0.6"});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
   EXPECT_NE(outcome.messages.find("--from lies 0.1 m from the slice"), std::string::npos) << outcome.messages;
-  EXPECT_NE(outcome.messages.find("The nearest is \"0 0 -0.6\"."), std::string::npos) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("The nearest in the task frame is \"0 0 -0.6\"."), std::string::npos)
+      << outcome.messages;
 }
 
 TEST_F(PlanCommand, BeginsOnTheSliceNextToAPoseOfATable) {
