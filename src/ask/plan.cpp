@@ -110,10 +110,13 @@ class Planning {
     const Problems missing = problems_of(robot(), acceleration_);
     is_timed_ = missing.empty();
     if (is_timed_ || (needed_by.empty() && !question_.acceleration)) return;
+    const std::string& otherwise = session_.acceleration().otherwise;
     if (!has_values)
-      return problems_.push_back({ProblemKind::together, "acceleration",
-                                  needed_by + " needs acceleration limits", session_.acceleration().remedy});
-    for (std::string& each : missing) problems_.push_back(told(std::move(each)));
+      return problems_.push_back(
+          {ProblemKind::together, "acceleration", needed_by + " needs acceleration limits",
+           session_.acceleration().remedy + (otherwise.empty() ? "" : ", or " + otherwise)});
+    for (const std::string& each : missing)
+      problems_.push_back(told(each + (otherwise.empty() ? "" : " Or " + otherwise + ".")));
   }
 
   void plan() {

@@ -16,6 +16,14 @@
 namespace parallel_aspects {
 namespace {
 
+/// As the fields of a goal.
+std::string message_field(const std::string& field) {
+  if (field == "hold") return "held_names and held_values, or held_joint";
+  if (field == "start_mode" || field == "goal_mode")
+    return field.substr(0, field.find('_')) + ".working_mode";
+  return field;
+}
+
 /// Actuated values of the start, in its working mode; nothing where it has several.
 std::optional<JointVector> values_of(const Manipulator& manipulator, const ask::EndQuestion& start) {
   if (start.tracked) return start.tracked->q;
@@ -103,14 +111,6 @@ std::string reason_of(const Manipulator& manipulator, const ask::PlanAnswer& ans
   for (const std::string& each : answer.remarks) text += " " + ask::with_names(each, message_field);
   if (answer.turns_around_cusps) text += several_cusps(*answer.turns_around_cusps);
   return text;
-}
-
-/// As the fields of a goal.
-std::string message_field(const std::string& field) {
-  if (field == "hold") return "held_names and held_values, or held_joint";
-  if (field == "start_mode" || field == "goal_mode")
-    return field.substr(0, field.find('_')) + ".working_mode";
-  return field;
 }
 
 }  // namespace
