@@ -117,7 +117,7 @@ TEST_P(SingularCurvesOf, NoneThatIsTracedIsMissed) {
       for (const SingularPiece& piece : followed().curves->pieces())
         if (piece.kind == segment.kind && piece.is_of(mode)) {
           Vector2d apart = piece.poses[0] - segment.from;
-          for (double& each : apart) each = std::remainder(each, full_turn);
+          for (Eigen::Index k = 0; k < 2; ++k) apart[k] = std::remainder(apart[k], full_turn);
           nearest = std::min(nearest, apart.norm());
         }
       ASSERT_LT(nearest, 0.1) << to_string(mode) << ' ' << segment.from.transpose();
