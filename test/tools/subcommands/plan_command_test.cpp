@@ -170,7 +170,8 @@ TEST_F(PlanCommand, NamesWhatIsWrong) {
       refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--policy", "fly"}).find("'fly'"),
       std::string::npos);
   EXPECT_NE(
-      refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--samples", "9"}).find("--samples"),
+      refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--samples", "9", "--policy", "any"})
+          .find("leave --samples and --seed out"),
       std::string::npos);
   EXPECT_NE(
       refusal({"plan", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to", "0 0 1.2 0 0 0 1", "--policy", "any"})
