@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ask/connect.h"
 
+#include "ask/slice_ends.h"
 #include "aspects/map/map_location.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
 
-#include "ask/slice_ends.h"
 #include <algorithm>
 #include <utility>
 
@@ -23,17 +23,14 @@ class Connecting {
     check();
     if (problems_.empty() && result_.slice) find_map();
     for (const WorkingMode& mode : modes_) {
-      if (!problems_.empty() || is_over()) break;
+      if (!problems_.empty() || control_.is_over()) break;
       result_.answers.push_back(connection(mode));
     }
-    if (!problems_.empty()) return {MapStatus::refused, std::move(problems_), {}};
-    if (is_over()) return {MapStatus::cancelled, {}, {}};
-    return {MapStatus::complete, {}, std::move(result_)};
+    return outcome_of(std::move(problems_), control_, std::move(result_));
   }
 
  private:
   const Manipulator& robot() const { return *session_.robot(); }
-  bool is_over() const { return control_.is_over(); }
 
   void check() {
     result_.task_space = robot().task_space();
@@ -85,7 +82,7 @@ class Connecting {
     const PoseInMode first{result_.from, mode}, second{result_.to, mode};
     AspectComparison found = same_aspect(*session_.certifier(), first, second);
     if (found.searched_sign == 0) return found;
-    const auto over = roadmap(mode);
+    const auto over = session_.roadmap(question_.roadmap.options({mode}), control_, problems_);
     if (!over) return found;
     found = same_aspect(*over, first, second, SearchEffort::brief);
     if (found.searched_sign != 0 && find_map() != nullptr) ask_map(*map_, first, second, found);
@@ -93,14 +90,6 @@ class Connecting {
     if (is_open && (question_.brief || modes_.size() <= modes_of_thorough_search))
       found = same_aspect(*over, first, second);
     return found;
-  }
-
-  std::shared_ptr<const PoseRoadmap> roadmap(const WorkingMode& mode) {
-    RoadmapOptions options;
-    if (question_.samples) options.samples = question_.samples->value;
-    if (question_.seed) options.seed = question_.seed->value;
-    options.modes = {mode};
-    return session_.roadmap(options, control_, problems_);
   }
 
   // Paths stay in the slice, so that roadmaps are of no use.

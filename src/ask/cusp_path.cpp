@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ask/cusp_path.h"
 
+#include "ask/path_ends.h"
 #include "aspects/tree/held_joint_example.h"
 #include "model/number_text.h"
 #include "motion/choose/plan_around_cusp.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 
-#include "ask/path_ends.h"
 #include <utility>
 
 namespace parallel_aspects::ask {
 namespace {
 
-const std::string field = "around_cusp";
-
 Problem wrong(ProblemKind kind, std::string fault, std::string remedy) {
-  return {kind, field, "{around_cusp} " + std::move(fault), std::move(remedy)};
+  return {kind, "around_cusp", "{around_cusp} " + std::move(fault), std::move(remedy)};
 }
 
 /// Cusps are points in slices of SE2 alone, of one robot.

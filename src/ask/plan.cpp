@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ask/plan.h"
 
-#include "model/number_text.h"
-#include "motion/plan/end_aspects.h"
-
 #include "ask/cusp_path.h"
 #include "ask/path_ends.h"
 #include "ask/slice_ends.h"
+#include "model/number_text.h"
+#include "motion/plan/end_aspects.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -29,22 +29,20 @@ class Planning {
   Outcome<PlanAnswer> run() {
     check();
     if (problems_.empty()) plan();
-    if (problems_.empty() && !is_cancelled()) time();
-    if (!problems_.empty()) return {MapStatus::refused, std::move(problems_), {}};
-    if (is_cancelled()) return {MapStatus::cancelled, {}, {}};
-    return {MapStatus::complete, {}, std::move(answer_)};
+    if (problems_.empty() && !control_.is_over()) time();
+    return outcome_of(std::move(problems_), control_, std::move(answer_));
   }
 
  private:
   const Manipulator& robot() const { return *session_.robot(); }
-  bool is_cancelled() const { return control_.is_over(); }
+
   // With six degrees of freedom there is no map but a roadmap; it is quicker elsewhere as well, and knows
   // less.
   bool has_map() const {
     return answer_.slice || session_.known_map() ||
            (robot().task_space() != TaskSpace::SE3 && !asks_roadmap());
   }
-  bool asks_roadmap() const { return question_.samples || question_.seed; }
+  bool asks_roadmap() const { return !question_.roadmap.is_default(); }
 
   // Before anything starts.
   void check() {
@@ -153,13 +151,10 @@ class Planning {
   }
 
   void plan_over_roadmap() {
-    RoadmapOptions options;
-    if (question_.samples) options.samples = question_.samples->value;
-    if (question_.seed) options.seed = question_.seed->value;
+    std::vector<WorkingMode> modes;
     for (const std::optional<WorkingMode>& mode : {from_.mode, to_.mode})
-      if (mode && std::find(options.modes.begin(), options.modes.end(), *mode) == options.modes.end())
-        options.modes.push_back(*mode);
-    const auto roadmap = session_.roadmap(options, control_, problems_);
+      if (mode && std::find(modes.begin(), modes.end(), *mode) == modes.end()) modes.push_back(*mode);
+    const auto roadmap = session_.roadmap(question_.roadmap.options(std::move(modes)), control_, problems_);
     if (!roadmap) return;
     const MapControl control = control_.begin("Looking for gates and a path.");
     answer_.path = plan_in_roadmap(*roadmap, from_, to_, wish(control), control);

@@ -17,6 +17,14 @@ MapControl Control::begin(const char* step) const {
   return control;
 }
 
+RoadmapOptions RoadmapSource::options(std::vector<WorkingMode> modes) const {
+  RoadmapOptions result;
+  if (samples) result.samples = samples->value;
+  if (seed) result.seed = seed->value;
+  result.modes = std::move(modes);
+  return result;
+}
+
 bool save_with_gates(const AspectMap& map, const std::string& file, const MapControl& control,
                      ProblemList& problems) {
   if (!compute_aspect_graph(map, control)) return false;

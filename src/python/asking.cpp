@@ -2,6 +2,7 @@
 #include "python/asking.h"
 
 #include "tools/arguments.h"
+#include "tools/report/answer_json.h"
 #include "tools/report/basins_report.h"
 #include "tools/report/slice_report.h"
 
@@ -146,17 +147,7 @@ py::object DictWriter::object_of_value(const CuspStart& start) const {
 }
 
 py::object DictWriter::object_of_value(const std::vector<PathCrossing>& crossings) const {
-  py::list list;
-  for (const PathCrossing& each : crossings) {
-    const bool serial = each.kind == Crossing::serial;
-    const auto aspect = [](int id) { return id == 0 ? py::object(py::none()) : py::object(py::int_(id)); };
-    list.append(py::dict(
-        py::arg("after_point") = each.point, py::arg("before_point") = each.behind,
-        py::arg("crossing") = name(each.kind), py::arg("control_lost") = !serial,
-        py::arg("leg") = serial ? py::object(py::str(robot_.leg(each.leg).name)) : py::object(py::none()),
-        py::arg("from_aspect") = aspect(each.from), py::arg("to_aspect") = aspect(each.to)));
-  }
-  return std::move(list);
+  return object_of(tools::JsonWriter(robot_).json_of(crossings));
 }
 
 py::object DictWriter::object_of_value(const TimedPath& timed) const {
@@ -173,8 +164,8 @@ py::object DictWriter::object_of_value(const TimedPath& timed) const {
                   py::arg("corners_rounded") = timed.rounded, py::arg("stops") = timed.stops);
 }
 
-void add_remarks(const std::vector<std::string>& remarks, py::dict& answer) {
-  for (const std::string& remark : remarks)
+void add_remarks(const ask::PlanAnswer& plan, py::dict& answer) {
+  for (const std::string& remark : plan.remarks)
     answer["reason"] =
         py::str(answer["reason"].cast<std::string>() + " " + ask::with_names(remark, ask::plain_name));
 }

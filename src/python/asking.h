@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_PYTHON_ASKING_H
 
 #include "parallel_aspects/ask/connect.h"
+#include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
 #include "parallel_aspects/motion/time_path.h"
@@ -151,8 +152,9 @@ pybind11::list fields_of() {
 /// Warns of sentences that do not keep a question from an answer.
 void warn_of(const std::vector<std::string>& notes);
 
-/// Adds them to the reason, fields as keywords.
-void add_remarks(const std::vector<std::string>& remarks, pybind11::dict& answer);
+/// Adds what a plan remarks to its reason, fields as keywords.
+void add_remarks(const ask::PlanAnswer& plan, pybind11::dict& answer);
+inline void add_remarks(const ask::ConnectAnswer& /*has none*/, pybind11::dict& /*answer*/) {}
 
 /// Asks in a thread of its own. Throws `InvalidDescription`.
 template <class Question>
@@ -175,7 +177,7 @@ pybind11::dict ask_session(ask::Session& session, const pybind11::dict& keywords
   DictWriter writer(*session.robot());
   describe(writer, std::as_const(outcome.answer));
   pybind11::dict result = writer.take();
-  add_remarks(outcome.answer.remarks, result);
+  add_remarks(outcome.answer, result);
   return result;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/map_choice.h"
 
+#include "ask/slice_ends.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
 #include "tools/question_options.h"
 
-#include "ask/slice_ends.h"
 #include <algorithm>
 #include <utility>
 

@@ -55,9 +55,9 @@ std::optional<Note> joints_left_out(const ClosureSystem& loops, const SourceName
          listed_names(names) + ".";
 }
 
-[[noreturn]] void refuse(const Culprit& culprit) {
-  if (culprit.has_remedy) throw CorrectableDescription(culprit.problems);
-  throw InvalidDescription(culprit.problems);
+[[noreturn]] void refuse(const Diagnosis& diagnosis) {
+  if (diagnosis.has_remedy) throw CorrectableDescription(diagnosis.problems);
+  throw InvalidDescription(diagnosis.problems);
 }
 
 // What shows before anything is assembled. Of the joints that a URDF calls actuated, those outside of the
@@ -73,7 +73,8 @@ void check_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& r
   if (problems.empty() && wrong.found.empty()) return;
   const auto joints = std::count(loops.in_loop().begin(), loops.in_loop().end(), true);
   if (search.looks_for_remedies && !resolved.closures.empty() && joints <= max_joints_in_loops) {
-    if (const auto culprit = find_culprit_of_ends(tree, resolved, wrong, files, attempt)) refuse(*culprit);
+    if (const auto diagnosis = find_culprit_of_ends(tree, resolved, wrong, files, attempt))
+      refuse(*diagnosis);
   }
   throw InvalidDescription(problems.empty() ? wrong.problems() : problems);
 }
@@ -132,7 +133,7 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     return contents;
   }
   if (!search.looks_for_remedies) throw InvalidDescription(problems);
-  if (const auto culprit = find_culprit(tree, resolved, files, attempt)) refuse(*culprit);
+  if (const auto diagnosis = find_culprit(tree, resolved, files, attempt)) refuse(*diagnosis);
   if (!meant && !are_all_welds(resolved.closures) && with_ends_together(*tree, resolved))
     problems = {
         file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +

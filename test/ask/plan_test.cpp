@@ -93,7 +93,7 @@ TEST(PlanQuestion, NamesTheFieldAtFault) {
       {ProblemKind::together, "acceleration", [](PlanQuestion& q) { q.prefer = PathPreference::fast; }},
       {ProblemKind::robot, "policy",
        [](PlanQuestion& q) {
-         q.samples.emplace().value = 9;
+         q.roadmap.samples.emplace().value = 9;
          q.policy = PathPolicy::any;
        }},
       {ProblemKind::robot, "around_cusp", [](PlanQuestion& q) {
@@ -145,7 +145,7 @@ TEST(Session, AsksTheMapThatIsKnown) {
 
 TEST(PlanQuestion, AsksARoadmapWhereSamplesAreGiven) {
   PlanQuestion question = between(left, right);
-  question.samples.emplace().value = 50;
+  question.roadmap.samples.emplace().value = 50;
   Session session(test::five_bar());
   const auto outcome = answer(session, question);
   ASSERT_TRUE(outcome);

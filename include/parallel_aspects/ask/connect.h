@@ -28,8 +28,7 @@ struct ConnectQuestion {
   std::optional<Pose> goal{};                       ///< the other
   std::optional<WorkingMode> mode{};                ///< by default every one
   MapSource map{};                                  ///< that is asked last, or of the slice
-  std::optional<Count<1, 100000>> samples{};        ///< of the roadmap
-  std::optional<Count<0, 4294967295>> seed{};       ///< of the roadmap
+  RoadmapSource roadmap{};                          ///< that is asked before the map
   ParallelIndex index = ParallelIndex::normalised;  ///< of bottlenecks
   bool brief = false;  ///< asks no map but one that is known, and looks for no bottleneck
 };
@@ -45,8 +44,8 @@ void describe(Visit& visit, ConnectQuestion& question) {
          "its map answers. Poses are (x, y, phi) whatever is held"},
         question.map.hold);
   visit({"samples", "N", "Poses of the roadmap that is asked where the straight way is not free"},
-        question.samples);
-  visit({"seed", "N", "Seed of the roadmap"}, question.seed);
+        question.roadmap.samples);
+  visit({"seed", "N", "Seed of the roadmap"}, question.roadmap.seed);
   visit({"resolution", "R",
          "Resolution of the map that is asked last [m or rad]; by default one is made in T2 only"},
         question.map.resolution);
@@ -111,7 +110,6 @@ struct ConnectAnswer {
   std::vector<ConnectionInMode> answers;   ///< one a working mode
   std::optional<MapSlice> slice;           ///< nothing where all poses were meant
   std::optional<double> moved_onto_slice;  ///< the farther of the two [m]
-  std::vector<std::string> remarks;        ///< sentences for people, fields in braces
 };
 
 /// Its fields.

@@ -46,8 +46,7 @@ struct PlanQuestion {
   PathPreference prefer = PathPreference::quick;  ///< which of several
   std::optional<Count<1, 10000>> around_cusp{};   ///< in place of a goal
   MapSource map{};                                ///< that is asked
-  std::optional<Count<1, 100000>> samples{};      ///< of a roadmap in place of a map
-  std::optional<Count<0, 4294967295>> seed{};     ///< likewise
+  RoadmapSource roadmap{};                        ///< in place of a map
 
   /// Limits [rad/s^2 or m/s^2]; by default those of the session. The path is timed where they are known.
   std::optional<JointVector> acceleration{};
@@ -100,8 +99,8 @@ void describe(Visit& visit, PlanQuestion& question) {
   visit({"save", "FILE", "Write the map to this file, with its gates, for {load}"}, question.map.save);
   visit({"samples", "N",
          "With six degrees of freedom, or in place of a map: poses of the roadmap, by default 1000"},
-        question.samples);
-  visit({"seed", "N", "Likewise: seed of its poses, by default 1"}, question.seed);
+        question.roadmap.samples);
+  visit({"seed", "N", "Likewise: seed of its poses, by default 1"}, question.roadmap.seed);
   visit({"acceleration", "\"10 10\"",
          "Acceleration limits of the actuated joints [rad/s^2 or m/s^2], with which the path is timed; by "
          "default those of motion.acceleration in the YAML, if any"},

@@ -33,7 +33,6 @@ struct Field {
 template <unsigned least, unsigned largest>
 struct Count {
   unsigned value = least;                     ///< from the first to the second
-  static constexpr unsigned lower = least;    ///< the first
   static constexpr unsigned upper = largest;  ///< the second
 };
 
@@ -66,11 +65,6 @@ struct Problem {
   std::string field;                     ///< at fault; empty where it is no single one
   std::string fault;                     ///< a clause; where there is no remedy, whole sentences
   std::string remedy;                    ///< "give {policy} serial": what follows the semicolon
-
-  /// Alike in everything.
-  bool operator==(const Problem& other) const {
-    return kind == other.kind && field == other.field && fault == other.fault && remedy == other.remedy;
-  }
 };
 
 using ProblemList = std::vector<Problem>;  ///< all of them, not just the first

@@ -28,7 +28,7 @@ struct Control {
 
   MapControl begin(const char* step) const;  ///< of one step, of which it tells that it begins
   bool is_over() const noexcept {            ///< whether it is cancelled
-    return cancelled != nullptr && cancelled->load(std::memory_order_relaxed);
+    return is_cancelled(MapControl{{}, cancelled});
   }
 };
 
@@ -41,6 +41,25 @@ struct Outcome {
 
   /// Whether there is an answer.
   explicit operator bool() const noexcept { return status == MapStatus::complete; }
+};
+
+/// How a question ended: refused where there are problems, cancelled, or with its answer.
+template <class Answer>
+Outcome<Answer> outcome_of(ProblemList problems, const Control& control, Answer answer) {
+  if (!problems.empty()) return {MapStatus::refused, std::move(problems), {}};
+  if (control.is_over()) return {MapStatus::cancelled, {}, {}};
+  return {MapStatus::complete, {}, std::move(answer)};
+}
+
+/// Which roadmap a question is asked of.
+struct RoadmapSource {
+  std::optional<Count<1, 100000>> samples{};   ///< poses
+  std::optional<Count<0, 4294967295>> seed{};  ///< of the poses
+
+  bool is_default() const noexcept { return !samples && !seed; }  ///< whether it says nothing
+
+  /// In these working modes, or in all where there are none.
+  RoadmapOptions options(std::vector<WorkingMode> modes) const;
 };
 
 /// Which map a question is asked of.

@@ -39,7 +39,6 @@ ChoiceQueries::ChoiceQueries(std::shared_ptr<const Manipulator> manipulator, con
     : manipulator_(std::move(manipulator)),
       worker_(worker),
       to_base_(std::move(to_base)),
-      certifier_(manipulator_),
       session_(manipulator_) {}
 
 ChooseWorkingMode::Response ChoiceQueries::answer(const ChooseWorkingMode::Request& request) const {
@@ -69,8 +68,9 @@ Status ChoiceQueries::choose_for_path(const ChooseWorkingMode::Request& request,
   if (!problems.empty()) return invalid_request(problems.front());
   const auto map = worker_.map();
   options.map = map.get();
-  write_choice(choose_working_mode(certifier_, waypoints, options), response);
-  if (request.changes) write_changes(*manipulator_, choose_posture_changes(certifier_, waypoints), response);
+  write_choice(choose_working_mode(*session_.certifier(), waypoints, options), response);
+  if (request.changes)
+    write_changes(*manipulator_, choose_posture_changes(*session_.certifier(), waypoints), response);
   return status;
 }
 

@@ -40,7 +40,6 @@ class ChoiceQueries {
   std::shared_ptr<const Manipulator> manipulator_;
   const MapWorker& worker_;
   PoseTransformer to_base_;
-  SegmentCertifier certifier_;
   mutable std::mutex session_mutex_;
   mutable ask::Session session_;  // its roadmap is made when it is first asked for
 };

@@ -22,44 +22,31 @@ json JsonWriter::json_of(const MapSlice& slice) const { return json_slice(slice)
 json JsonWriter::json_of(const CuspStart& start) const {
   json object = {
       {"component", start.aspect}, {"pose", nullptr}, {"working_mode", nullptr}, {"actuated", nullptr}};
-  if (start.point) object.update(json_of(std::vector<PathPoint>{*start.point}).front());
+  if (start.point) object.update(json_of(*start.point));
   return object;
 }
 
 json JsonWriter::json_of(const Pose& pose) const { return json_pose(robot_.task_space(), pose); }
 
-json JsonWriter::json_of(const std::vector<Pose>& poses) const {
-  json list = json::array();
-  for (const Pose& pose : poses) list.push_back(json_of(pose));
-  return list;
-}
-
 json JsonWriter::json_of(const ask::IndexBottleneck& bottleneck) const {
   return json_bottleneck(bottleneck.kind, bottleneck.found);
 }
 
-json JsonWriter::json_of(const std::vector<PathPoint>& points) const {
-  json list = json::array();
-  for (const PathPoint& point : points)
-    list.push_back({{"pose", json_pose(robot_.task_space(), point.pose)},
-                    {"working_mode", point.mode.signs()},
-                    {"actuated", json_numbers(point.q)}});
-  return list;
+json JsonWriter::json_of(const PathPoint& point) const {
+  return {{"pose", json_of(point.pose)},
+          {"working_mode", json_of(point.mode)},
+          {"actuated", json_numbers(point.q)}};
 }
 
-json JsonWriter::json_of(const std::vector<PathCrossing>& crossings) const {
-  json list = json::array();
-  for (const PathCrossing& crossing : crossings) {
-    const bool serial = crossing.kind == Crossing::serial;
-    list.push_back({{"after_point", crossing.point},
-                    {"before_point", crossing.behind},
-                    {"crossing", name(crossing.kind)},
-                    {"control_lost", !serial},
-                    {"leg", serial ? json(robot_.leg(crossing.leg).name) : json(nullptr)},
-                    {"from_aspect", aspect_or_null(crossing.from)},
-                    {"to_aspect", aspect_or_null(crossing.to)}});
-  }
-  return list;
+json JsonWriter::json_of(const PathCrossing& crossing) const {
+  const bool serial = crossing.kind == Crossing::serial;
+  return {{"after_point", crossing.point},
+          {"before_point", crossing.behind},
+          {"crossing", name(crossing.kind)},
+          {"control_lost", !serial},
+          {"leg", serial ? json(robot_.leg(crossing.leg).name) : json(nullptr)},
+          {"from_aspect", aspect_or_null(crossing.from)},
+          {"to_aspect", aspect_or_null(crossing.to)}};
 }
 
 json JsonWriter::json_of(const TimedPath& timed) const {

@@ -31,7 +31,7 @@ class JsonWriter {
 
   nlohmann::json take() { return std::move(json_); }
 
- private:
+  /// One value.
   template <class Value>
   nlohmann::json json_of(const std::optional<Value>& value) const {
     return value ? json_of(*value) : nlohmann::json();
@@ -44,31 +44,33 @@ class JsonWriter {
   nlohmann::json json_of(ask::Count<least, largest> value) const {
     return value.value;
   }
-  /// Of structs that have lists of fields of their own.
-  template <class Described>
-  nlohmann::json json_of(const std::vector<Described>& list) const {
+  template <class Item>
+  nlohmann::json json_of(const std::vector<Item>& list) const {
     nlohmann::json array = nlohmann::json::array();
-    for (const Described& each : list) {
-      JsonWriter writer(robot_);
-      describe(writer, each);
-      array.push_back(writer.take());
-    }
+    for (const Item& each : list) array.push_back(json_of(each));
     return array;
+  }
+  /// Of a struct that has a list of fields of its own.
+  template <class Described, class = std::enable_if_t<std::is_class_v<Described>>>
+  nlohmann::json json_of(const Described& described) const {
+    JsonWriter writer(robot_);
+    describe(writer, described);
+    return writer.take();
   }
   nlohmann::json json_of(bool value) const { return value; }
   nlohmann::json json_of(double value) const;
   nlohmann::json json_of(const std::string& value) const { return value; }
-  nlohmann::json json_of(const std::vector<int>& values) const { return values; }
+  nlohmann::json json_of(int value) const { return value; }
   nlohmann::json json_of(const MapSlice& slice) const;
   nlohmann::json json_of(const CuspStart& start) const;
   nlohmann::json json_of(const WorkingMode& mode) const { return mode.signs(); }
   nlohmann::json json_of(const Pose& pose) const;
-  nlohmann::json json_of(const std::vector<Pose>& poses) const;
   nlohmann::json json_of(const ask::IndexBottleneck& bottleneck) const;
-  nlohmann::json json_of(const std::vector<PathPoint>& points) const;
-  nlohmann::json json_of(const std::vector<PathCrossing>& crossings) const;
+  nlohmann::json json_of(const PathPoint& point) const;
+  nlohmann::json json_of(const PathCrossing& crossing) const;
   nlohmann::json json_of(const TimedPath& timed) const;
 
+ private:
   const Manipulator& robot_;
   nlohmann::json json_ = nlohmann::json::object();
 };

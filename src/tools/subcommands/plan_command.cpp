@@ -46,8 +46,7 @@ void check_files(const PlanArguments& arguments, const ask::MapSource& map, Prob
 
 ask::PlanQuestion read(const PlanArguments& arguments, const Manipulator& robot) {
   Problems problems;
-  if (arguments.texts.count("around_cusp") != 0 && !arguments.texts.at("around_cusp").empty() &&
-      robot.task_space() == TaskSpace::SE2)
+  if (!arguments.texts.at("around_cusp").empty() && robot.task_space() == TaskSpace::SE2)
     refuse_other_bounds(arguments.constraints, robot, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   auto question = read_question<ask::PlanQuestion>(robot, arguments.texts, problems);

@@ -18,14 +18,14 @@ using Attempt =
     std::function<std::optional<std::string>(const std::shared_ptr<const Tree>&, const ResolvedConfig&)>;
 
 /// Why a description makes no robot.
-struct Culprit {
+struct Diagnosis {
   Problems problems;
   bool has_remedy = false;  ///< whether they name corrections of it that were tried and make a robot
 };
 
 /// With one problem.
-inline Culprit with_remedy(const Note& problem) { return {{problem.text()}, true}; }
-inline Culprit without_remedy(const std::string& problem) { return {{problem}, false}; }  ///< likewise
+inline Diagnosis with_remedy(const Note& problem) { return {{problem.text()}, true}; }
+inline Diagnosis without_remedy(const std::string& problem) { return {{problem}, false}; }  ///< likewise
 
 }  // namespace parallel_aspects
 

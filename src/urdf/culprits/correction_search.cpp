@@ -113,23 +113,23 @@ void CorrectionSearch::collect() {
   }
 }
 
-std::optional<Culprit> CorrectionSearch::of_frames() {
+std::optional<Diagnosis> CorrectionSearch::of_frames() {
   for (const Corrections& kind : frame_corrections(*tree_, resolved_, system_, files_))
     if (working_of(kind)) return with_rivals();
   return std::nullopt;
 }
 
-std::optional<Culprit> CorrectionSearch::of_point() {
+std::optional<Diagnosis> CorrectionSearch::of_point() {
   return working_of(point_corrections(*tree_, resolved_, system_, files_));
 }
 
-std::optional<Culprit> CorrectionSearch::of_missing_joints() {
+std::optional<Diagnosis> CorrectionSearch::of_missing_joints() {
   return working_of(missing_joint_corrections(*tree_, resolved_, system_, files_));
 }
 
-std::optional<Culprit> CorrectionSearch::of_chains() {
+std::optional<Diagnosis> CorrectionSearch::of_chains() {
   for (const Corrections& kind : chain_corrections(*tree_, resolved_, system_, files_))
-    if (auto culprit = working_of(kind)) return culprit;
+    if (auto diagnosis = working_of(kind)) return diagnosis;
   return std::nullopt;
 }
 
@@ -148,21 +148,21 @@ bool CorrectionSearch::takes_in_joints(const Correction& correction) const {
 // A chain that was loose speaks for what takes it in. Else a frame that a joint lets loose may be put onto
 // another link, or the joint be fixed: corrections of joints come first, as they change less than what is
 // joined to what.
-Culprit CorrectionSearch::with_rivals() {
+Diagnosis CorrectionSearch::with_rivals() {
   const auto frames = static_cast<std::ptrdiff_t>(working_.size());
   if (std::any_of(working_.begin(), working_.end(),
                   [this](const Working& working) { return takes_in_joints(working.correction); }))
-    return culprit();
+    return diagnosis();
   for (const Correction& correction : corrections_)
     if (correction.like_others || correction.fixes_joint) try_one(correction);
   std::rotate(working_.begin(), working_.begin() + frames, working_.end());
-  return culprit();
+  return diagnosis();
 }
 
-std::optional<Culprit> CorrectionSearch::of_frames_and_actuation() {
+std::optional<Diagnosis> CorrectionSearch::of_frames_and_actuation() {
   if (!resolved_.actuation_origin.empty()) return std::nullopt;
   for (const Corrections& kind : frame_corrections(*tree_, resolved_, system_, files_))
-    if (auto culprit = working_of(with_actuation(kind))) return culprit;
+    if (auto diagnosis = working_of(with_actuation(kind))) return diagnosis;
   return std::nullopt;
 }
 
@@ -180,23 +180,23 @@ Corrections CorrectionSearch::with_actuation(const Corrections& kind) const {
   return both;
 }
 
-std::optional<Culprit> CorrectionSearch::like_others() {
+std::optional<Diagnosis> CorrectionSearch::like_others() {
   Corrections like_others;
   for (const Correction& correction : corrections_)
     if (correction.like_others) like_others.push_back(correction);
   return working_of(like_others);
 }
 
-std::optional<Culprit> CorrectionSearch::others() {
+std::optional<Diagnosis> CorrectionSearch::others() {
   Corrections others;
   for (const Correction& correction : corrections_)
     if (!correction.like_others) others.push_back(correction);
   return working_of(others);
 }
 
-std::optional<Culprit> CorrectionSearch::working_of(const Corrections& corrections) {
+std::optional<Diagnosis> CorrectionSearch::working_of(const Corrections& corrections) {
   for (const Correction& correction : corrections) try_one(correction);
-  return working_.empty() ? std::nullopt : std::optional<Culprit>(culprit());
+  return working_.empty() ? std::nullopt : std::optional<Diagnosis>(diagnosis());
 }
 
 void CorrectionSearch::try_one(const Correction& correction) {
@@ -244,7 +244,7 @@ bool CorrectionSearch::closes_and_moves(const std::shared_ptr<const Tree>& tree,
   });
 }
 
-Culprit CorrectionSearch::culprit() const {
+Diagnosis CorrectionSearch::diagnosis() const {
   const Working& first = working_.front();
   if (working_.size() == 1 && is_complete_)
     return with_remedy(first.correction.fault + "; " + first.correction.remedy +

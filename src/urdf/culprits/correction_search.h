@@ -30,28 +30,28 @@ class CorrectionSearch {
                    const SourceNames& files, const Attempt& attempt);
 
   /// Those of what closures hold: why, if any works. It lists those of joints that work as well, first.
-  std::optional<Culprit> of_frames();
+  std::optional<Diagnosis> of_frames();
 
   /// Those of a closure that holds another place of the platform than its operational point.
-  std::optional<Culprit> of_point();
+  std::optional<Diagnosis> of_point();
 
   /// Those of legs that lack a joint.
-  std::optional<Culprit> of_missing_joints();
+  std::optional<Diagnosis> of_missing_joints();
 
   /// Those of chains between base and platform that no actuated joint is in.
-  std::optional<Culprit> of_chains();
+  std::optional<Diagnosis> of_chains();
 
   /// Those of frames, each together with one of the actuated joints.
-  std::optional<Culprit> of_frames_and_actuation();
+  std::optional<Diagnosis> of_frames_and_actuation();
 
   /// Those that make an element like others of its kind: why, if any works.
-  std::optional<Culprit> like_others();
+  std::optional<Diagnosis> like_others();
 
   /// All others.
-  std::optional<Culprit> others();
+  std::optional<Diagnosis> others();
 
   /// Those of these that work.
-  std::optional<Culprit> working_of(const Corrections& corrections);
+  std::optional<Diagnosis> working_of(const Corrections& corrections);
 
  private:
   struct Working {
@@ -61,7 +61,7 @@ class CorrectionSearch {
 
   void collect();
   bool takes_in_joints(const Correction& correction) const;
-  Culprit with_rivals();
+  Diagnosis with_rivals();
   Corrections with_actuation(const Corrections& kind) const;
   std::vector<std::size_t> open_loops() const;
   std::vector<std::size_t> suspected_closures() const;
@@ -70,7 +70,7 @@ class CorrectionSearch {
   bool closes_and_moves(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& config);
   bool closes_and_moves(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& config,
                         ClosureType type_of_open_ones);
-  Culprit culprit() const;
+  Diagnosis diagnosis() const;
 
   std::shared_ptr<const Tree> tree_;
   const ResolvedConfig& resolved_;

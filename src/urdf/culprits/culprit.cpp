@@ -40,7 +40,7 @@ class Search {
         assembled_(
             assemble(system_, resolved.actuated_joints.variables, resolved.actuated_joints.platform_link)) {}
 
-  std::optional<Culprit> run() {
+  std::optional<Diagnosis> run() {
     if (auto culprit = wrong_ends()) return culprit;
     if (auto culprit = origin_of_ends(tree_, resolved_, files_, attempt_)) return culprit;
     if (auto culprit = other_base()) return culprit;
@@ -74,7 +74,7 @@ class Search {
 
  private:
   // Names that say so speak for it alone, and links that are there for a closure.
-  std::optional<Culprit> wrong_ends() const {
+  std::optional<Diagnosis> wrong_ends() const {
     Corrections ends = end_place_corrections(*tree_, resolved_, files_);
     if (const auto by_names = ends_paired_by_names(*tree_, resolved_, files_)) ends.push_back(*by_names);
     return CorrectionSearch(tree_, resolved_, true, files_, attempt_).working_of(ends);
@@ -130,7 +130,7 @@ class Search {
   std::string operational_point() const { return operational_point_text(*tree_, platform(), files_); }
 
   // Where most of the actuated joints are fixed to, and else the root.
-  std::optional<Culprit> other_base() {
+  std::optional<Diagnosis> other_base() {
     const std::size_t usual = usual_link_of_actuation();
     if (body_of(*tree_, usual) != body_of(*tree_, resolved_.base))
       return based_on(usual, "which is not where the actuated joints are fixed");
@@ -153,7 +153,7 @@ class Search {
     return base;
   }
 
-  std::optional<Culprit> based_on(std::size_t base, const std::string& reason) {
+  std::optional<Diagnosis> based_on(std::size_t base, const std::string& reason) {
     if (body_of(*tree_, base) == body_of(*tree_, resolved_.base) || is_on_platform(base)) return std::nullopt;
     ResolvedConfig changed = resolved_;
     changed.base = base;
@@ -166,7 +166,7 @@ class Search {
   }
 
   // One closure elsewhere, where all others hold a leg to the platform.
-  std::optional<Culprit> other_closing_link() {
+  std::optional<Diagnosis> other_closing_link() {
     const std::vector<Closure>& closures = resolved_.closures;
     const auto is_elsewhere = [this](const Closure& closure) {
       return !is_on_platform(closure.frames[0].link) && !is_on_platform(closure.frames[1].link);
@@ -201,7 +201,7 @@ class Search {
     return links;
   }
 
-  std::optional<Culprit> closed_at(std::size_t closure, std::size_t end, std::size_t link) {
+  std::optional<Diagnosis> closed_at(std::size_t closure, std::size_t end, std::size_t link) {
     ResolvedConfig changed = resolved_;
     changed.closures[closure].frames[end].link = link;
     if (legs_share_anchors(*tree_, changed, system_.size())) return std::nullopt;
@@ -232,7 +232,7 @@ class Search {
     return once;
   }
 
-  std::optional<Culprit> other_operational_point() {
+  std::optional<Diagnosis> other_operational_point() {
     for (const std::size_t link : candidates()) {
       ResolvedConfig changed = resolved_;
       changed.actuated_joints.platform_link = link;
@@ -247,7 +247,7 @@ class Search {
   }
 
   // One for all that are stated, or none. Where all are revolute, as in the plane, that is right.
-  std::optional<Culprit> other_types() {
+  std::optional<Diagnosis> other_types() {
     const bool all_revolute =
         std::all_of(resolved_.closures.begin(), resolved_.closures.end(),
                     [](const Closure& closure) { return closure.type == ClosureType::revolute; });
@@ -257,7 +257,7 @@ class Search {
     return resolved_.closure_dialect.empty() ? other_type(ClosureType::automatic) : std::nullopt;
   }
 
-  std::optional<Culprit> other_type(ClosureType type) {
+  std::optional<Diagnosis> other_type(ClosureType type) {
     ResolvedConfig changed = resolved_;
     std::string names;
     for (Closure& closure : changed.closures) {
@@ -301,9 +301,9 @@ class Search {
 };
 
 // Of closures whose ends are apart at zero: first what puts them together, then that they are together.
-std::optional<Culprit> culprit_of_gaps(const std::shared_ptr<const Tree>& tree,
-                                       const ResolvedConfig& resolved, const SourceNames& files,
-                                       const Attempt& attempt) {
+std::optional<Diagnosis> culprit_of_gaps(const std::shared_ptr<const Tree>& tree,
+                                         const ResolvedConfig& resolved, const SourceNames& files,
+                                         const Attempt& attempt) {
   auto together = with_ends_together(*tree, resolved);
   if (!together) return std::nullopt;
   if (drawn_open(*tree, resolved, files))
@@ -324,16 +324,16 @@ std::optional<Culprit> culprit_of_gaps(const std::shared_ptr<const Tree>& tree,
 
 }  // namespace
 
-std::optional<Culprit> find_culprit(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                                    const SourceNames& files, const Attempt& attempt) {
+std::optional<Diagnosis> find_culprit(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                                      const SourceNames& files, const Attempt& attempt) {
   if (auto culprit = culprit_of_gaps(tree, resolved, files, attempt)) return culprit;
   const auto meant = drawn_open(*tree, resolved, files);
   return Search(tree, meant ? *meant : resolved, files, attempt).run();
 }
 
-std::optional<Culprit> find_culprit_of_ends(const std::shared_ptr<const Tree>& tree,
-                                            const ResolvedConfig& resolved, const WrongEnds& ends,
-                                            const SourceNames& files, const Attempt& attempt) {
+std::optional<Diagnosis> find_culprit_of_ends(const std::shared_ptr<const Tree>& tree,
+                                              const ResolvedConfig& resolved, const WrongEnds& ends,
+                                              const SourceNames& files, const Attempt& attempt) {
   CorrectionSearch frames(tree, resolved, true, files, attempt);
   if (auto culprit = frames.of_frames()) return culprit;
   if (ends.found.empty()) return frames.of_frames_and_actuation();
@@ -341,7 +341,7 @@ std::optional<Culprit> find_culprit_of_ends(const std::shared_ptr<const Tree>& t
   changed.base = ends.base;
   changed.actuated_joints.platform_link = ends.actuated_joints.platform_link;
   if (resolved.actuation_origin.empty()) changed.actuated_joints = ends.actuated_joints;
-  if (attempt(tree, changed)) return Culprit{ends.problems()};
+  if (attempt(tree, changed)) return Diagnosis{ends.problems()};
   std::string text, faults;
   for (const WrongEnds::Wrong& wrong : ends.found) {
     text += wrong.fault + "; " + wrong.remedy + "; ";
@@ -349,7 +349,7 @@ std::optional<Culprit> find_culprit_of_ends(const std::shared_ptr<const Tree>& t
   }
   const auto next = find_culprit(tree, changed, files, attempt);
   if (!next) return without_remedy(faults + ".");
-  return Culprit{{text + "then " + next->problems.front()}, next->has_remedy};
+  return Diagnosis{{text + "then " + next->problems.front()}, next->has_remedy};
 }
 
 }  // namespace parallel_aspects

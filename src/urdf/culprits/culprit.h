@@ -17,14 +17,14 @@ namespace parallel_aspects {
 /// Why a description is refused, in one message with a remedy that was tried and works; nothing where none
 /// of those that are known does: another operational point, axes that do not fit. And that a mechanism of
 /// one degree of freedom is none of the robots that are treated.
-std::optional<Culprit> find_culprit(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                                    const SourceNames& files, const Attempt& attempt);
+std::optional<Diagnosis> find_culprit(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                                      const SourceNames& files, const Attempt& attempt);
 
 /// The same where the ends are not those of the loops, or where no joint is in a loop; nothing there alone.
 /// Names remedies only where all together work.
-std::optional<Culprit> find_culprit_of_ends(const std::shared_ptr<const Tree>& tree,
-                                            const ResolvedConfig& resolved, const WrongEnds& ends,
-                                            const SourceNames& files, const Attempt& attempt);
+std::optional<Diagnosis> find_culprit_of_ends(const std::shared_ptr<const Tree>& tree,
+                                              const ResolvedConfig& resolved, const WrongEnds& ends,
+                                              const SourceNames& files, const Attempt& attempt);
 
 }  // namespace parallel_aspects
 

@@ -175,8 +175,9 @@ std::string remedies_of_places(const std::shared_ptr<const Tree>& tree, const Re
   return joined(working_at_zero(tree, resolved, files, attempt), ", or ");
 }
 
-std::optional<Culprit> origin_of_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                                      const SourceNames& files, const Attempt& attempt) {
+std::optional<Diagnosis> origin_of_ends(const std::shared_ptr<const Tree>& tree,
+                                        const ResolvedConfig& resolved, const SourceNames& files,
+                                        const Attempt& attempt) {
   const ApartEnds ends = apart_ends(*tree, resolved);
   if (!ends.stand_out() && !ends.all_apart()) return std::nullopt;
   const std::vector<Working> working = working_at_zero(tree, resolved, files, attempt);

@@ -31,8 +31,9 @@ std::string remedies_of_places(const std::shared_ptr<const Tree>& tree, const Re
 /// Of a description that makes no robot: several ends of closures in a list that are apart while all joints
 /// are zero, or where those of others meet, and that the origin of one joint puts together, which makes a
 /// robot of it; nothing where none does.
-std::optional<Culprit> origin_of_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                                      const SourceNames& files, const Attempt& attempt);
+std::optional<Diagnosis> origin_of_ends(const std::shared_ptr<const Tree>& tree,
+                                        const ResolvedConfig& resolved, const SourceNames& files,
+                                        const Attempt& attempt);
 
 /// Of a robot that loads: ends of closures in a list that are apart while all joints are zero, and those of
 /// most others together; or all of several, which the origin of one joint puts together.
