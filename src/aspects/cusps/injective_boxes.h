@@ -31,6 +31,9 @@ class InjectiveBoxes {
   /// Whether it is proved of this box.
   bool holds(const Box& box) const;
 
+  /// The boxes about cusps of which it is proved; not every cusp has one.
+  const std::vector<Box>& about_cusps() const noexcept { return about_cusps_; }
+
  private:
   const StrutSlice& slice_;
   std::vector<Box> about_cusps_;
