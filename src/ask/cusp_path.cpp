@@ -20,14 +20,15 @@ Problem wrong(ProblemKind kind, std::string fault, std::string remedy) {
 void check_slice(const Manipulator& robot, const std::optional<MapSlice>& slice, ProblemList& problems) {
   if (robot.task_space() != TaskSpace::SE2)
     return problems.push_back(wrong(ProblemKind::robot,
-                                    "is of robots that move in SE2, and '" + robot.name() + "' moves in " +
-                                        std::string(name(robot.task_space())),
+                                    "is of robots that move in SE2, and '" + given(robot.name()) +
+                                        "' moves in " + std::string(name(robot.task_space())),
                                     "leave it out"));
-  const std::string example = example_of_held_joint(robot);
+  const std::string example = given(example_of_held_joint(robot));
   if (example.empty())
-    return problems.push_back(wrong(
-        ProblemKind::robot, "needs an actuated joint that can be held, and '" + robot.name() + "' has none",
-        "leave it out"));
+    return problems.push_back(
+        wrong(ProblemKind::robot,
+              "needs an actuated joint that can be held, and '" + given(robot.name()) + "' has none",
+              "leave it out"));
   if (!slice || !slice->joint)
     return problems.push_back(wrong(ProblemKind::together,
                                     "needs a slice that holds an actuated joint, where cusps are points",

@@ -54,7 +54,7 @@ PathEnd in_turn(const std::string& field, const Manipulator& robot, const JointV
     const auto k = static_cast<Eigen::Index>(j);
     if (leg.actuated_by_angle() && leg.limits.limited() && std::abs(q[k] - reached[k]) > EIGEN_PI)
       problems.push_back({ProblemKind::value, field,
-                          "{" + field + "} has " + number_text(q[k]) + " for '" + leg.actuated_joint +
+                          "{" + field + "} has " + number_text(q[k]) + " for '" + given(leg.actuated_joint) +
                               "', whose limits are " + number_text(leg.limits.lower) + " to " +
                               number_text(leg.limits.upper) + " rad",
                           "give " + number_text(reached[k]) + ", where the leg is the same"});

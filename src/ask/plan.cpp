@@ -175,7 +175,7 @@ class Planning {
       const double value = answer_.path.points.back().q[static_cast<Eigen::Index>(j)],
                    asked = (*to_.q)[static_cast<Eigen::Index>(j)];
       if (leg.actuated_by_angle() && std::abs(value - asked) > EIGEN_PI)
-        answer_.remarks.push_back("'" + leg.actuated_joint + "' arrives at " + number_text(value) +
+        answer_.remarks.push_back("'" + given(leg.actuated_joint) + "' arrives at " + number_text(value) +
                                   ", whole turns from what {goal_joints} says.");
     }
   }

@@ -10,14 +10,25 @@ std::string plain_name(const std::string& field) { return field; }
 
 std::string with_names(const std::string& text, const FieldName& name) {
   std::string result;
-  std::size_t done = 0;
-  for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', done)) {
-    const std::size_t close = text.find('}', open);
-    if (close == std::string::npos) break;
-    result += text.substr(done, open - done) + name(text.substr(open + 1, close - open - 1));
-    done = close + 1;
+  for (std::size_t next = 0; next < text.size();) {
+    const std::size_t close = text.find('}', next);
+    if (text.compare(next, 2, "{{") == 0) {
+      result += '{';
+      next += 2;
+    } else if (text[next] == '{' && close != std::string::npos) {
+      result += name(text.substr(next + 1, close - next - 1));
+      next = close + 1;
+    } else {
+      result += text[next++];
+    }
   }
-  return result + text.substr(done);
+  return result;
+}
+
+std::string given(const std::string& text) {
+  std::string result;
+  for (const char each : text) result += each == '{' ? "{{" : std::string(1, each);
+  return result;
 }
 
 std::string text_of(const Problem& problem, const FieldName& name) {

@@ -52,7 +52,7 @@ double put_onto_slice(const MapSlice& slice, const Manipulator& robot, const std
   if (!(distance <= tolerance))
     problems.push_back(
         {ProblemKind::value, field,
-         "{" + field + "} lies " + number_text(distance) + " m from the slice " + to_string(slice),
+         "{" + field + "} lies " + number_text(distance) + " m from the slice " + given(to_string(slice)),
          "give a pose within " + number_text(tolerance, 4) + " m of it. The nearest in the task frame is \"" +
              pose_numbers(robot.task_space(), nearest, pose_digits) + "\""});
   if (distance > 0.0) pose = nearest;

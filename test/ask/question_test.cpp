@@ -20,6 +20,14 @@ TEST(Problem, OfALayerBelowIsToldAsItIs) {
   EXPECT_EQ(text_of(told("The region {x} is empty."), as_option), "The region {x} is empty.");
 }
 
+// As of a xacro file that was not expanded.
+TEST(Problem, KeepsTheBracesOfNames) {
+  const Problem of_joint{ProblemKind::value, "goal", "{goal} has 3 for '" + given("${prefix}joint") + "'",
+                         "give 2"};
+  EXPECT_EQ(text_of(of_joint, as_option), "--goal has 3 for '${prefix}joint'; give 2.");
+  EXPECT_EQ(with_names(given("{{a}") + " {b}", as_option), "{{a} --b");
+}
+
 TEST(Problem, MayHaveABraceThatNamesNothing) {
   EXPECT_EQ(with_names("a { b", as_option), "a { b");
   EXPECT_EQ(with_names("", as_option), "");

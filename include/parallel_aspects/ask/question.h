@@ -82,6 +82,9 @@ std::string with_names(const std::string& text, const FieldName& name);
 std::string text_of(const Problem& problem, const FieldName& name);
 Problems texts_of(const ProblemList& problems, const FieldName& name);  ///< of each
 
+/// A name or text of the user's, as part of a text with fields in braces: its own braces stay as they are.
+std::string given(const std::string& text);
+
 /// A sentence of a layer below.
 Problem told(std::string sentence);
 
