@@ -135,9 +135,12 @@ int run_command(int argc, const char* const* argv, const Surroundings& surroundi
 }
 
 std::vector<Option> robot_options(RobotChoice& choice) {
-  return {{"ROBOT", "", "Name of a shipped robot; `aspects robots` lists them", &choice.name},
-          {"--urdf", "FILE", "URDF of another robot, together with --config", &choice.urdf_file},
-          {"--config", "FILE", "YAML with its loop closures and actuated joints", &choice.config_file}};
+  return {{"ROBOT", "",
+           "Name of a shipped robot, of which `aspects robots` lists all; or the URDF of another, and behind "
+           "it the YAML with its loop closures and actuated joints",
+           &choice.words, false, Words::files},
+          {"--urdf", "FILE", "That URDF, by an option", &choice.urdf_option},
+          {"--config", "FILE", "That YAML, by an option", &choice.config_option}};
 }
 
 }  // namespace parallel_aspects::tools

@@ -91,7 +91,7 @@ class Parser {
       if (!given_[i]) return set(i, argument);
       if (option.words == Words::files) return add(option, '\n', argument);
     }
-    throw UsageError("'" + argument + "': there is no place for it; values of several words are quoted");
+    throw UsageError("'" + argument + "': there is no place for it");
   }
 
   /// Takes the words that the list of this option goes on with.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <sstream>
 #include <utility>
 
 namespace parallel_aspects::tools {
@@ -35,30 +36,54 @@ std::vector<fs::path> usual_folders() {
           PARALLEL_ASPECTS_SOURCE_DIR};
 }
 
+bool is_file(const std::string& word) { return word.find_first_of("./") != std::string::npos; }
+
+/// The n-th of the words, counted from 0; empty where there are fewer.
+std::string word_of(const RobotChoice& choice, std::size_t n) {
+  std::istringstream words(choice.words);
+  std::string word;
+  for (std::size_t i = 0; i <= n; ++i)
+    if (!std::getline(words, word)) return "";
+  return word;
+}
+
+/// That of the option, else that of the words.
+std::string file_of(const RobotChoice& choice, const std::string& option, std::size_t n) {
+  if (!option.empty() || !choice.name().empty()) return option;
+  return word_of(choice, n);
+}
+
 RobotChoice shipped_files(const std::string& name) {
   const fs::path share = share_folder();
   const std::vector<std::string> known = shipped_robots(share);
   if (std::find(known.begin(), known.end(), name) == known.end())
-    throw InvalidDescription({"There is no shipped robot '" + name + "'; take one of: " +
-                              joined(known, ", ") + "; or give --urdf FILE and --config FILE."});
-  return {name, urdf_path(share, name).string(), (config_folder(share) / (name + ".yaml")).string()};
+    throw InvalidDescription({"There is no shipped robot '" + name +
+                              "'; take one of: " + joined(known, ", ") + "; or give ROBOT.urdf ROBOT.yaml."});
+  return {"", urdf_path(share, name).string(), (config_folder(share) / (name + ".yaml")).string()};
 }
 
 /// Which argument is missing; empty where none is.
 std::string missing_argument(const RobotChoice& choice) {
-  if (!choice.name.empty() || (!choice.urdf_file.empty() && !choice.config_file.empty())) return "";
-  if (choice.urdf_file.empty() && choice.config_file.empty())
-    return "ROBOT is required; name a shipped robot, or give --urdf FILE and --config FILE";
-  return choice.config_file.empty()
-             ? "--config is required with --urdf; `aspects setup URDF` writes that file"
-             : "--urdf is required with --config; give the URDF of the robot";
+  const std::string urdf = choice.urdf_file(), config = choice.config_file();
+  if (!choice.name().empty() || (!urdf.empty() && !config.empty())) return "";
+  if (urdf.empty() && config.empty())
+    return "ROBOT is required; name a shipped robot, or give ROBOT.urdf ROBOT.yaml";
+  return config.empty() ? "its YAML is required behind '" + urdf + "'; `aspects setup " + urdf + "` writes it"
+                        : "--urdf is required with --config; give the URDF of the robot";
 }
 
 Problems problems_of(const RobotChoice& choice) {
-  const bool files = !choice.urdf_file.empty() || !choice.config_file.empty();
-  if (choice.name.empty() || !files) return {};
-  return {"Robot '" + choice.name +
-          "' is named and files are given too; give a name, or --urdf and --config."};
+  const std::size_t options = (choice.urdf_option.empty() ? 0 : 1) + (choice.config_option.empty() ? 0 : 1),
+                    words = static_cast<std::size_t>(
+                        std::count(choice.words.begin(), choice.words.end(), '\n') + 1);
+  const std::string name = choice.name();
+  if (!name.empty() && (options > 0 || words > 1))
+    return {"Robot '" + name + "' is named and files are given too; give a name, or ROBOT.urdf ROBOT.yaml."};
+  const bool urdf_is_twice = !choice.urdf_option.empty() && !choice.words.empty(),
+             config_is_twice = !choice.config_option.empty() && words > 1;
+  if (urdf_is_twice || config_is_twice || words > 2)
+    return {"More files are given than the URDF and the YAML of a robot; give ROBOT.urdf ROBOT.yaml."};
+  return {};
 }
 
 void throw_any(Problems problems) {
@@ -67,11 +92,21 @@ void throw_any(Problems problems) {
 
 std::shared_ptr<const Mechanism> load(const RobotChoice& choice) {
   throw_any(problems_of(choice));
-  const RobotChoice files = choice.name.empty() ? choice : shipped_files(choice.name);
-  return load_mechanism_files(files.urdf_file, files.config_file);
+  const std::string name = choice.name();
+  const RobotChoice files = name.empty() ? choice : shipped_files(name);
+  return load_mechanism_files(files.urdf_file(), files.config_file());
 }
 
 }  // namespace
+
+std::string RobotChoice::name() const {
+  const std::string first = word_of(*this, 0);
+  return is_file(first) ? "" : first;
+}
+
+std::string RobotChoice::urdf_file() const { return file_of(*this, urdf_option, 0); }
+
+std::string RobotChoice::config_file() const { return file_of(*this, config_option, 1); }
 
 fs::path share_folder() {
   const char* chosen = std::getenv(share_variable);
@@ -103,8 +138,8 @@ namespace {
 /// Where the YAML of the robot stands, and its text; empty where `load_robot` tells what is wrong.
 std::string config_text(const RobotChoice& choice, std::string& file) {
   if (!missing_argument(choice).empty() || !problems_of(choice).empty()) return "";
-  file = choice.config_file;
-  if (!choice.name.empty()) file = (config_folder(share_folder()) / (choice.name + ".yaml")).string();
+  const std::string name = choice.name();
+  file = name.empty() ? choice.config_file() : (config_folder(share_folder()) / (name + ".yaml")).string();
   Problems reported_by_load_robot;
   return read_text_file(file, reported_by_load_robot).value_or("");
 }

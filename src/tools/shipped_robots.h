@@ -22,11 +22,15 @@ std::filesystem::path share_folder();
 /// Names of the robots in a share folder, sorted.
 std::vector<std::string> shipped_robots(const std::filesystem::path& share);
 
-/// Which robot to load: a shipped one by name, or a pair of files.
+/// Which robot to load, as it was typed: a shipped one by its name, or a pair of files.
 struct RobotChoice {
-  std::string name;
-  std::string urdf_file;
-  std::string config_file;
+  std::string words{};          ///< a name; or files, as words with a dot or a slash: the URDF, then the YAML
+  std::string urdf_option{};    ///< in place of the first file
+  std::string config_option{};  ///< in place of the second
+
+  std::string name() const;         ///< empty for files
+  std::string urdf_file() const;    ///< empty where none is named
+  std::string config_file() const;  ///< likewise
 };
 
 /// Loads it. Throws `InvalidDescription` with every problem: an unknown name (the message lists the known

@@ -184,6 +184,17 @@ TEST_F(Command, FilesServeAsWellAsAName) {
   const std::string config = source + "/config/robots/five_bar.yaml";
   EXPECT_EQ(run_json({"describe", "--urdf", urdf.c_str(), "--config", config.c_str()}),
             run_json({"describe", "five_bar"}));
+  EXPECT_EQ(run_json({"describe", urdf.c_str(), config.c_str()}), run_json({"describe", "five_bar"}));
+}
+
+TEST_F(Command, TooFewAndTooManyFilesAreTold) {
+  EXPECT_EQ(run({"map", "a.urdf"}).messages.substr(0, 70),
+            "its YAML is required behind 'a.urdf'; `aspects setup a.urdf` writes it");
+  const std::string too_many =
+      "More files are given than the URDF and the YAML of a robot; give ROBOT.urdf ROBOT.yaml.\n";
+  EXPECT_EQ(run({"map", "a.urdf", "b.yaml", "c.yaml"}).messages, too_many);
+  EXPECT_EQ(run({"map", "a.urdf", "--urdf", "b.urdf", "--config", "c.yaml"}).messages, too_many);
+  EXPECT_EQ(run({"map", "a.urdf", "b.yaml", "--config", "c.yaml"}).messages, too_many);
 }
 
 TEST_F(Command, DescriptionsSayWhereThePosesAre) {

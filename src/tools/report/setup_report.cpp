@@ -43,7 +43,7 @@ json json_result(const std::string& status, const SetupResult& result) {
 
 std::string next_command(const std::string& urdf_file, const std::string& config) {
   if (config.empty()) return "aspects setup " + shell_word(urdf_file);
-  return "aspects map --urdf " + shell_word(urdf_file) + " --config " + shell_word(config);
+  return "aspects map " + shell_word(urdf_file) + " " + shell_word(config);
 }
 
 // As each can be pasted.

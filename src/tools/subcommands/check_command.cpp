@@ -277,8 +277,8 @@ Report run(const CheckArguments& arguments, const Surroundings& surroundings) {
   check_distinct_files({{"--csv", arguments.csv_file}, {"--picture", arguments.picture_file}},
                        {{"--path", arguments.path},
                         {"--trajectory", arguments.trajectory},
-                        {"--urdf", arguments.robot.urdf_file},
-                        {"--config", arguments.robot.config_file}},
+                        {"--urdf", arguments.robot.urdf_file()},
+                        {"--config", arguments.robot.config_file()}},
                        problems);
   const unsigned points =
       arguments.distances.empty() ? 0 : parse_count("--distances", arguments.distances, 10000, problems);

@@ -271,9 +271,10 @@ Subcommand describe_subcommand() {
           robot_options(arguments->robot),
           [arguments](const Surroundings& surroundings) {
             const RobotChoice& robot = arguments->robot;
-            const bool bare = robot.name.empty() && robot.config_file.empty() && !robot.urdf_file.empty();
-            return bare ? describe_bare(robot.urdf_file, surroundings)
-                        : report_mechanism(*load_checked(robot), arguments->verbose);
+            const std::string urdf = robot.urdf_file();
+            return !urdf.empty() && robot.config_file().empty()
+                       ? describe_bare(urdf, surroundings)
+                       : report_mechanism(*load_checked(robot), arguments->verbose);
           },
           {{"--verbose", "List every joint that a note is about", &arguments->verbose}}};
 }

@@ -179,9 +179,9 @@ std::string hint_of_map(const RobotChoice& robot, const Manipulator& manipulator
            (status == DistanceStatus::loose || status == DistanceStatus::no_witness);
   });
   if (!is_loose || manipulator.task_space() == TaskSpace::SE3) return "";
-  const std::string words = !robot.name.empty() ? shell_word(robot.name)
-                                                : "--urdf " + shell_word(robot.urdf_file) + " --config " +
-                                                      shell_word(robot.config_file),
+  const std::string words = !robot.name().empty()
+                                ? shell_word(robot.name())
+                                : shell_word(robot.urdf_file()) + " " + shell_word(robot.config_file()),
                     file = shell_word(manipulator.name() + ".map");
   return "With a map, as the node has one, the bounds to parallel singularities are tighter: write it with "
          "`aspects map " +

@@ -74,7 +74,7 @@ Report report_of(const GraphArguments& arguments, const Surroundings& surroundin
   check_svg_file("--picture", arguments.picture_file, problems);
   check_output_file("--save", arguments.map.save_file, problems);
   check_distinct_files({{"--picture", arguments.picture_file}, {"--save", arguments.map.save_file}},
-                       {{"--urdf", arguments.robot.urdf_file}, {"--config", arguments.robot.config_file}},
+                       {{"--urdf", arguments.robot.urdf_file()}, {"--config", arguments.robot.config_file()}},
                        problems);
   std::optional<MapSlice> slice;
   if (!arguments.map.slice.empty())

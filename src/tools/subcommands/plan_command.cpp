@@ -39,7 +39,7 @@ void check_files(const PlanArguments& arguments, const ask::MapSource& map, Prob
   check_output_file("--save", map.save, problems);
   check_output_file("--trajectory", file, problems);
   check_distinct_files({{"--save", map.save}, trajectory},
-                       {{"--urdf", arguments.robot.urdf_file}, {"--config", arguments.robot.config_file}},
+                       {{"--urdf", arguments.robot.urdf_file()}, {"--config", arguments.robot.config_file()}},
                        problems);
   check_distinct_files({trajectory}, {{"--load", map.load}}, problems);
 }

@@ -147,7 +147,7 @@ Report report_of(const PlotArguments& arguments, const Surroundings& surrounding
   check_picture_file("-o", arguments.file, problems);
   check_output_file("--save", arguments.map.save_file, problems);
   check_distinct_files({{"-o", arguments.file}, {"--save", arguments.map.save_file}},
-                       {{"--urdf", arguments.robot.urdf_file}, {"--config", arguments.robot.config_file}},
+                       {{"--urdf", arguments.robot.urdf_file()}, {"--config", arguments.robot.config_file()}},
                        problems);
   check_distinct_files({{"-o", arguments.file}}, {{"--load", arguments.map.load_file}}, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));

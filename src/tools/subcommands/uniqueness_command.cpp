@@ -171,7 +171,7 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
   Problems problems;
   check_picture_file("--picture", arguments.picture, problems);
   check_distinct_files({{"--picture", arguments.picture}},
-                       {{"--urdf", arguments.robot.urdf_file}, {"--config", arguments.robot.config_file}},
+                       {{"--urdf", arguments.robot.urdf_file()}, {"--config", arguments.robot.config_file()}},
                        problems);
   if (manipulator->task_space() == TaskSpace::SO3 && !arguments.slice.empty())
     return report_of_cusps(arguments, *manipulator, std::move(problems), surroundings);
