@@ -47,6 +47,9 @@ std::string word_of(const RobotChoice& choice, std::size_t n) {
   return word;
 }
 
+/// Which of the words is the YAML.
+std::size_t place_of_config(const RobotChoice& choice) { return choice.urdf_option.empty() ? 1 : 0; }
+
 /// That of the option, else that of the words.
 std::string file_of(const RobotChoice& choice, const std::string& option, std::size_t n) {
   if (!option.empty() || !choice.name().empty()) return option;
@@ -62,8 +65,10 @@ RobotChoice shipped_files(const std::string& name) {
   return {"", urdf_path(share, name).string(), (config_folder(share) / (name + ".yaml")).string()};
 }
 
-/// Which argument is missing; empty where none is.
-std::string missing_argument(const RobotChoice& choice) {
+/// Which argument is missing, or has no place; empty where all is well.
+std::string misplaced_argument(const RobotChoice& choice) {
+  const std::string extra = word_of(choice, choice.name().empty() ? place_of_config(choice) + 1 : 1);
+  if (!extra.empty()) return "'" + extra + "': there is no place for it";
   const std::string urdf = choice.urdf_file(), config = choice.config_file();
   if (!choice.name().empty() || (!urdf.empty() && !config.empty())) return "";
   if (urdf.empty() && config.empty())
@@ -73,16 +78,12 @@ std::string missing_argument(const RobotChoice& choice) {
 }
 
 Problems problems_of(const RobotChoice& choice) {
-  const std::size_t options = (choice.urdf_option.empty() ? 0 : 1) + (choice.config_option.empty() ? 0 : 1),
-                    words = static_cast<std::size_t>(
-                        std::count(choice.words.begin(), choice.words.end(), '\n') + 1);
   const std::string name = choice.name();
-  if (!name.empty() && (options > 0 || words > 1))
+  const bool has_urdf = !choice.urdf_option.empty(), has_config = !choice.config_option.empty();
+  if (!name.empty() && (has_urdf || has_config))
     return {"Robot '" + name + "' is named and files are given too; give a name, or ROBOT.urdf ROBOT.yaml."};
-  const bool urdf_is_twice = !choice.urdf_option.empty() && !choice.words.empty(),
-             config_is_twice = !choice.config_option.empty() && words > 1;
-  if (urdf_is_twice || config_is_twice || words > 2)
-    return {"More files are given than the URDF and the YAML of a robot; give ROBOT.urdf ROBOT.yaml."};
+  if (has_config && !word_of(choice, place_of_config(choice)).empty())
+    return {"A file is given twice, as a word and by its option; give ROBOT.urdf ROBOT.yaml."};
   return {};
 }
 
@@ -106,7 +107,7 @@ std::string RobotChoice::name() const {
 
 std::string RobotChoice::urdf_file() const { return file_of(*this, urdf_option, 0); }
 
-std::string RobotChoice::config_file() const { return file_of(*this, config_option, 1); }
+std::string RobotChoice::config_file() const { return file_of(*this, config_option, place_of_config(*this)); }
 
 fs::path share_folder() {
   const char* chosen = std::getenv(share_variable);
@@ -137,7 +138,7 @@ namespace {
 
 /// Where the YAML of the robot stands, and its text; empty where `load_robot` tells what is wrong.
 std::string config_text(const RobotChoice& choice, std::string& file) {
-  if (!missing_argument(choice).empty() || !problems_of(choice).empty()) return "";
+  if (!misplaced_argument(choice).empty() || !problems_of(choice).empty()) return "";
   const std::string name = choice.name();
   file = name.empty() ? choice.config_file() : (config_folder(share_folder()) / (name + ".yaml")).string();
   Problems reported_by_load_robot;
@@ -161,7 +162,7 @@ MotionSection load_motion_section(const RobotChoice& choice, std::size_t joints,
 }
 
 std::shared_ptr<const Mechanism> load_robot(const RobotChoice& choice, Problems known) {
-  if (const std::string missing = missing_argument(choice); !missing.empty()) throw UsageError(missing);
+  if (const std::string missing = misplaced_argument(choice); !missing.empty()) throw UsageError(missing);
   try {
     auto mechanism = load(choice);
     if (known.empty()) return mechanism;

@@ -185,16 +185,19 @@ TEST_F(Command, FilesServeAsWellAsAName) {
   EXPECT_EQ(run_json({"describe", "--urdf", urdf.c_str(), "--config", config.c_str()}),
             run_json({"describe", "five_bar"}));
   EXPECT_EQ(run_json({"describe", urdf.c_str(), config.c_str()}), run_json({"describe", "five_bar"}));
+  EXPECT_EQ(run_json({"describe", config.c_str(), "--urdf", urdf.c_str()}),
+            run_json({"describe", "five_bar"}));
 }
 
 TEST_F(Command, TooFewAndTooManyFilesAreTold) {
   EXPECT_EQ(run({"map", "a.urdf"}).messages.substr(0, 70),
             "its YAML is required behind 'a.urdf'; `aspects setup a.urdf` writes it");
-  const std::string too_many =
-      "More files are given than the URDF and the YAML of a robot; give ROBOT.urdf ROBOT.yaml.\n";
-  EXPECT_EQ(run({"map", "a.urdf", "b.yaml", "c.yaml"}).messages, too_many);
-  EXPECT_EQ(run({"map", "a.urdf", "--urdf", "b.urdf", "--config", "c.yaml"}).messages, too_many);
-  EXPECT_EQ(run({"map", "a.urdf", "b.yaml", "--config", "c.yaml"}).messages, too_many);
+  EXPECT_EQ(run({"map", "a.urdf", "b.yaml", "c.yaml"}).messages.substr(0, 36),
+            "'c.yaml': there is no place for it. ");
+  const std::string twice =
+      "A file is given twice, as a word and by its option; give ROBOT.urdf ROBOT.yaml.\n";
+  EXPECT_EQ(run({"map", "a.urdf", "--urdf", "b.urdf", "--config", "c.yaml"}).messages, twice);
+  EXPECT_EQ(run({"map", "a.urdf", "b.yaml", "--config", "c.yaml"}).messages, twice);
 }
 
 TEST_F(Command, DescriptionsSayWhereThePosesAre) {
