@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/map_file.h"
+#include "parallel_aspects/distance/distance_map.h"
 
 #include <utility>
 
@@ -41,6 +42,8 @@ Session::Session(std::shared_ptr<const Manipulator> robot, MapOptions options)
 void Session::know(std::shared_ptr<const AspectMap> map) { known_map_ = std::move(map); }
 
 void Session::know(std::shared_ptr<const PoseRoadmap> roadmap) { known_roadmap_ = std::move(roadmap); }
+
+void Session::know(std::shared_ptr<const DistanceMap> distances) { known_distances_ = std::move(distances); }
 
 std::optional<MapSlice> Session::slice_of(const MapSource& source) const {
   if (source.hold) return source.hold;
@@ -92,6 +95,13 @@ std::shared_ptr<const PoseRoadmap> Session::roadmap(const RoadmapOptions& option
   const RoadmapResult result = compute_pose_roadmap(robot_, options, control.begin("Computing a roadmap."));
   if (result.status == MapStatus::refused) problems.push_back(told(result.message));
   return result.roadmap;
+}
+
+std::shared_ptr<const DistanceMap> Session::known_distances(const Control& control) {
+  if (known_distances_ || !known_map_ || known_map_->slice()) return known_distances_;
+  const auto made = std::make_shared<const DistanceMap>(known_map_, control.begin("Making the map ready."));
+  if (!control.is_over()) known_distances_ = made;
+  return known_distances_;
 }
 
 std::shared_ptr<PathPlanner> Session::planner(const std::shared_ptr<const AspectMap>& map) {

@@ -3,12 +3,14 @@
 #define PARALLEL_ASPECTS_PYTHON_ASKING_H
 
 #include "parallel_aspects/ask/connect.h"
+#include "parallel_aspects/ask/distance.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
 #include "parallel_aspects/motion/time_path.h"
 
 #include "python/arrays.h"
+#include "python/bindings.h"
 #include "python/long_call.h"
 #include "python/python_errors.h"
 #include <optional>
@@ -98,21 +100,28 @@ class DictWriter {
   pybind11::object object_of_value(ask::Count<least, largest> value) const {
     return pybind11::int_(value.value);
   }
-  /// Of structs that have lists of fields of their own.
-  template <class Described>
-  pybind11::object object_of_value(const std::vector<Described>& list) const {
+  template <class Item>
+  pybind11::object object_of_value(const std::vector<Item>& list) const {
     pybind11::list result;
-    for (const Described& each : list) {
-      DictWriter writer(robot_);
-      describe(writer, each);
-      result.append(writer.take());
-    }
+    for (const Item& each : list) result.append(object_of_value(each));
     return std::move(result);
+  }
+  /// Of a struct that has a list of fields of its own.
+  template <class Described, class = std::enable_if_t<std::is_class_v<Described>>>
+  pybind11::object object_of_value(const Described& described) const {
+    DictWriter writer(robot_);
+    describe(writer, described);
+    return writer.take();
   }
   pybind11::object object_of_value(bool value) const { return pybind11::bool_(value); }
   pybind11::object object_of_value(double value) const { return pybind11::float_(value); }
+  pybind11::object object_of_value(int value) const { return pybind11::int_(value); }
   pybind11::object object_of_value(const std::string& value) const { return pybind11::str(value); }
   pybind11::object object_of_value(const std::vector<int>& values) const;
+  pybind11::object object_of_value(const TaskVector& values) const { return array_of(values); }
+  pybind11::object object_of_value(ask::LegIndex leg) const {
+    return pybind11::str(robot_.leg(leg.index).name);
+  }
   pybind11::object object_of_value(const WorkingMode& mode) const;
   pybind11::object object_of_value(const Pose& pose) const;
   pybind11::object object_of_value(const std::vector<Pose>& poses) const;
@@ -154,22 +163,32 @@ void warn_of(const std::vector<std::string>& notes);
 
 /// Adds what a plan remarks to its reason, fields as keywords.
 void add_remarks(const ask::PlanAnswer& plan, pybind11::dict& answer);
-inline void add_remarks(const ask::ConnectAnswer& /*has none*/, pybind11::dict& /*answer*/) {}
+template <class Answer>
+void add_remarks(const Answer& /*has none*/, pybind11::dict& /*answer*/) {}
+
+/// What is asked. Throws `InvalidDescription`, or a TypeError.
+template <class Question>
+Question read_question(const Manipulator& robot, const pybind11::dict& keywords) {
+  Question question;
+  KeywordReader reader(robot, keywords);
+  describe(reader, question);
+  reader.require_known();
+  return question;
+}
 
 /// Asks in a thread of its own. Throws `InvalidDescription`.
 template <class Question>
-pybind11::dict ask_session(ask::Session& session, const pybind11::dict& keywords,
+pybind11::dict ask_session(SharedSession& shared, const pybind11::dict& keywords,
                            const pybind11::object& progress) {
-  Question question;
-  KeywordReader reader(*session.robot(), keywords);
-  describe(reader, question);
-  reader.require_known();
+  ask::Session& session = shared.session;
+  const auto question = read_question<Question>(*session.robot(), keywords);
   std::vector<std::string> notes;
   auto outcome = run_long(progress, [&](const MapControl& called) {
     ask::Control control;
     control.cancelled = called.cancelled;
     control.progress = [&called](const char* /*step*/, double share) { called.progress(share); };
     control.note = [&notes](const std::string& sentence) { notes.push_back(sentence); };
+    const std::lock_guard<std::mutex> lock(shared.busy);
     return answer(session, question, control);
   });
   warn_of(notes);

@@ -42,7 +42,7 @@ MapOptions map_options(const Manipulator& manipulator, const MapTexts& texts, co
 
 CoreMap require(MapResult result) {
   if (!result) throw InvalidDescription({result.message});
-  return {std::move(result.map)};
+  return CoreMap(std::move(result.map));
 }
 
 CoreMap compute(const CoreRobot& robot, const py::object& resolution, const std::string& region,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ask/connect.h"
+#include "parallel_aspects/ask/distance.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
@@ -175,15 +176,13 @@ py::object choose_region(const CoreRobot& robot, const std::string& region, cons
 
 template <class Question>
 py::dict ask_robot(const CoreRobot& robot, const py::dict& keywords, const py::object& progress) {
-  ask::Session session(robot.manipulator);
-  return ask_session<Question>(session, keywords, progress);
+  SharedSession questions(robot.manipulator);
+  return ask_session<Question>(questions, keywords, progress);
 }
 
 template <class Question>
 py::dict ask_map(const CoreMap& map, const py::dict& keywords, const py::object& progress) {
-  ask::Session session(map.map->manipulator());
-  session.know(map.map);
-  return ask_session<Question>(session, keywords, progress);
+  return ask_session<Question>(*map.questions, keywords, progress);
 }
 
 template <class Question, class Answer>
@@ -203,6 +202,8 @@ void bind_motion(py::module& module, RobotClass& robot, MapClass& map) {
   robot.def("choose_region", choose_region);
   bind_question<ask::PlanQuestion, ask::PlanAnswer>("plan", module, robot, map);
   bind_question<ask::ConnectQuestion, ask::ConnectAnswer>("connect", module, robot, map);
+  bind_question<ask::DistanceQuestion, ask::DistancesInMode>("distance", module, robot, map);
+  module.def("distance_to", fields_of<ask::DistanceTo>);
 }
 
 }  // namespace parallel_aspects::python

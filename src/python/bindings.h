@@ -2,12 +2,14 @@
 #ifndef PARALLEL_ASPECTS_PYTHON_BINDINGS_H
 #define PARALLEL_ASPECTS_PYTHON_BINDINGS_H
 
+#include "parallel_aspects/ask/session.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/model/manipulator.h"
-#include "parallel_aspects/motion/plan_path.h"
 
 #include <memory>
+#include <mutex>
 #include <pybind11/pybind11.h>
+#include <utility>
 
 namespace parallel_aspects::python {
 
@@ -16,9 +18,22 @@ struct CoreRobot {
   std::shared_ptr<const Manipulator> manipulator;  ///< never null
 };
 
+/// Questions, one at a time.
+struct SharedSession {
+  explicit SharedSession(std::shared_ptr<const Manipulator> robot) : session(std::move(robot)) {}
+  std::mutex busy;       ///< held while one is answered
+  ask::Session session;  ///< keeps what answers have in common
+};
+
 /// `_core.Map`.
 struct CoreMap {
-  std::shared_ptr<const AspectMap> map;  ///< never null
+  std::shared_ptr<const AspectMap> map;      ///< never null
+  std::shared_ptr<SharedSession> questions;  ///< that know it
+
+  explicit CoreMap(std::shared_ptr<const AspectMap> computed)
+      : map(std::move(computed)), questions(std::make_shared<SharedSession>(map->manipulator())) {
+    questions->session.know(map);
+  }
 
   const Manipulator& robot() const { return *map->manipulator(); }
 };

@@ -139,6 +139,15 @@ def test_distances_as_published(robot):
     assert tuple(bounds[0, 0]) == (distance.parallel.lower, distance.parallel.upper)
 
 
+def test_distances_of_every_mode_and_of_a_map(robot, aspects):
+    alone = robot.distance((4.5, 8))
+    assert [each.working_mode for each in alone] == list(robot.working_modes)
+    of_map = aspects.distance((4.5, 8), "(-,+)")
+    assert of_map.parallel.boxes < robot.distance((4.5, 8), "(-,+)").parallel.boxes
+    assert of_map.serial.leg in robot.legs and of_map.parallel.leg is None
+    assert robot.distance((4.5, 80), "(-,+)").parallel.status == "unavailable"
+
+
 def test_indices_vanish_at_singularities(robot):
     parallel, serial = robot.indices((4.5, 8), "(-,+)")
     q, determinant, _ = closed_form(np.array([[4.5, 8.0]]), "(-,+)")
@@ -277,7 +286,7 @@ BAD = {
     "level is nan": lambda robot, aspects: aspects.outlines("(+,-)", level=np.nan),
     "cells is 'many'": lambda robot, aspects: aspects.outlines("(+,-)", cells="many"),
     "threads is -2": lambda robot, aspects: robot.map(threads=-2),
-    "max_boxes is 1.5": lambda robot, aspects: robot.distance((4.5, 8), "(+,-)", max_boxes=1.5),
+    "boxes is 1.5": lambda robot, aspects: robot.distance((4.5, 8), "(+,-)", boxes=1.5),
     "(4.5, 8) does not name": lambda robot, aspects: aspects.workspace("disc", center=(4.5, 8)),
     "value is 'x'": lambda robot, aspects: aspects.workspace("disc", center={"x": "x"}),
     "region has 'x=1.0'": lambda robot, aspects: robot.map(region={"x": 1, "y": (0, 1)}),

@@ -36,6 +36,11 @@ struct Count {
   static constexpr unsigned upper = largest;  ///< the second
 };
 
+/// One of the legs, which faces write by its name.
+struct LegIndex {
+  std::size_t index = 0;  ///< in the order of the legs
+};
+
 /// The value of an enumeration with this name. Nothing where there is none; `names` are then all, as
 /// "stay, serial or any". It has `choices` and `name`, found by its namespace.
 template <class Choice>

@@ -18,7 +18,11 @@
 #include <utility>
 #include <vector>
 
-namespace parallel_aspects::ask {
+namespace parallel_aspects {
+
+class DistanceMap;
+
+namespace ask {
 
 /// Hooks into the answering of a question. All may be left empty.
 struct Control {
@@ -94,7 +98,8 @@ class Session {
 
   /// A map or a roadmap of this robot that is there already: it is asked where a question names no other.
   void know(std::shared_ptr<const AspectMap> map);
-  void know(std::shared_ptr<const PoseRoadmap> roadmap);  ///< likewise
+  void know(std::shared_ptr<const PoseRoadmap> roadmap);    ///< likewise
+  void know(std::shared_ptr<const DistanceMap> distances);  ///< of a map, made ready
 
   /// For paths in time.
   void set_acceleration(Acceleration acceleration) { acceleration_ = std::move(acceleration); }
@@ -119,6 +124,10 @@ class Session {
   std::shared_ptr<const PoseRoadmap> roadmap(const RoadmapOptions& options, const Control& control,
                                              ProblemList& problems);
 
+  /// What was made known, or that of the known map, which is made once; null where there is none, and of a
+  /// slice, which does not tell what is beside it.
+  std::shared_ptr<const DistanceMap> known_distances(const Control& control);
+
   /// The planner of a map; that of the map before is kept, as it knows the gates.
   std::shared_ptr<PathPlanner> planner(const std::shared_ptr<const AspectMap>& map);
 
@@ -133,6 +142,7 @@ class Session {
   std::shared_ptr<const SegmentCertifier> certifier_;
   std::shared_ptr<const AspectMap> known_map_, computed_map_, planned_map_;  // the last is the planner's
   std::shared_ptr<const PoseRoadmap> known_roadmap_;
+  std::shared_ptr<const DistanceMap> known_distances_;
   std::shared_ptr<PathPlanner> planner_;
 };
 
@@ -140,6 +150,7 @@ class Session {
 bool save_with_gates(const AspectMap& map, const std::string& file, const MapControl& control,
                      ProblemList& problems);
 
-}  // namespace parallel_aspects::ask
+}  // namespace ask
+}  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_ASK_SESSION_H

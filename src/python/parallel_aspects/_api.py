@@ -22,6 +22,7 @@ from ._results import (
     Path,
     Sweep,
     Workspace,
+    distances_of,
 )
 from ._text import (
     Mode,
@@ -211,26 +212,24 @@ class Robot:
         return Map(self._core.load_map(os.fspath(file), real("resolution", resolution), *texts))
 
     def distance(
-        self, pose: "np.typing.ArrayLike", mode: Mode, tolerance: float = 0.01, max_boxes: int = 400
-    ) -> Distances:
-        """How far singularities and limits are from a pose of shape (k,) in a working mode, between a bound that is
-        proved and a witness. tolerance: relative gap that is aimed at; max_boxes: how much work is spent."""
-        answer = self._core.distance(array("pose", pose), mode_text(mode), *_effort(tolerance, max_boxes))
-        kinds = {name: BoundaryDistance(**answer[name]) for name in ("parallel", "serial", "actuated_limit")}
-        return Distances(answer["status"], **kinds)
+        self, pose: "np.typing.ArrayLike", mode: Optional[Mode] = None, *, progress: Progress = None, **options: Any
+    ) -> "Union[Distances, Tuple[Distances, ...]]":
+        """How far singularities and limits are from a pose, between a bound that is proved and a witness, as of `aspects
+        distance`: in a working mode, or without one in each. `Map.distance` asks a map that is there."""
+        return distances_of(self._core.distance({"pose": pose, "mode": mode, **options}, progress), mode)
 
     def distances(
         self,
         poses: "np.typing.ArrayLike",
         mode: Mode,
-        tolerance: float = 0.01,
-        max_boxes: int = 400,
+        tolerance: Optional[float] = None,
+        boxes: Optional[int] = None,
         progress: Progress = None,
     ) -> np.ndarray:
         """The bounds alone [m], of shape (3, 2) or (n, 3, 2): to parallel and serial singularities and to limits of
-        actuated joints, each lower (proved) and upper."""
-        effort = _effort(tolerance, max_boxes)
-        return _like(poses, self._core.distances(array("poses", poses), mode_text(mode), *effort, progress))
+        actuated joints, each lower (proved) and upper. Without a map, otherwise as `distance`."""
+        effort = {"mode": mode, "tolerance": tolerance, "boxes": boxes}
+        return _like(poses, self._core.distances(array("poses", poses), effort, progress))
 
     def check(self, times: "np.typing.ArrayLike", poses: "np.typing.ArrayLike", mode: Mode) -> Check:
         """Whether the platform can follow these poses in a working mode at every time, proved: times of shape (n,),
@@ -351,6 +350,7 @@ class Robot:
 
 documented(Robot.plan, _core.plan_question())
 documented(Robot.connect, _core.connect_question())
+documented(Robot.distance, _core.distance_question())
 
 
 def read_sweep(file: "Union[str, os.PathLike]") -> Sweep:
@@ -368,10 +368,6 @@ def read_sweep(file: "Union[str, os.PathLike]") -> Sweep:
 
 def _times(times: "np.typing.ArrayLike") -> List[float]:
     return np.atleast_1d(array("times", times)).tolist()
-
-
-def _effort(tolerance: float, max_boxes: int) -> Tuple[Optional[float], int]:
-    return real("tolerance", tolerance), count("max_boxes", max_boxes)
 
 
 def _like(poses: "np.typing.ArrayLike", rows: np.ndarray) -> np.ndarray:

@@ -7,7 +7,7 @@ import numpy as np
 
 from . import _core
 from ._fields import documented
-from ._results import Aspect, Path, Workspace
+from ._results import Aspect, Distances, Path, Workspace, distances_of
 from ._text import Mode, array, count, listed, mode_text, number, ranges_text, ratio_text, real, values_text
 
 UNDECIDED = 0  # closer to a singularity or a limit than the map can tell
@@ -120,6 +120,12 @@ class Map:
         """Whether two poses lie in one aspect, by working mode, as of `aspects connect`; this map is asked. Poses of the answer are arrays."""
         return self._core.connect({"start": start, "goal": goal, **options}, progress)
 
+    def distance(
+        self, pose: "np.typing.ArrayLike", mode: Optional[Mode] = None, *, progress: Optional[Callable[[float], Any]] = None, **options: Any
+    ) -> "Union[Distances, Tuple[Distances, ...]]":
+        """How far singularities and limits are from a pose, as of `Robot.distance`; this map is asked, for tighter bounds."""
+        return distances_of(self._core.distance({"pose": pose, "mode": mode, **options}, progress), mode)
+
     def plan(
         self,
         start: "np.typing.ArrayLike",
@@ -161,6 +167,7 @@ class Map:
 
 documented(Map.plan, _core.plan_question())
 documented(Map.connect, _core.connect_question())
+documented(Map.distance, _core.distance_question())
 
 
 def shape_texts(

@@ -3,7 +3,7 @@
 order of `Robot.coordinates`; a joint vector has shape (legs,), in the order of `Robot.legs`."""
 from dataclasses import dataclass
 from types import SimpleNamespace
-from typing import Any, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -45,27 +45,28 @@ class Aspect:
     unresolved_with: Tuple[int, ...]  # ids of aspects that could be the same
 
 
-@dataclass(frozen=True, eq=False)
-class BoundaryDistance:
+class BoundaryDistance(SimpleNamespace):
     """How far singularities or limits of one kind are, as the root mean square of how far the anchors move [m]."""
 
-    status: str  # "tight", "loose", "no witness", "absent", "touching" or "unavailable"
-    lower: float  # proved
-    upper: float  # of the witness; infinite where there is none
-    upper_proved: bool
-    witness: Optional[np.ndarray]  # nearest pose that was found, (k,)
-    witness_q: Optional[np.ndarray]  # actuated joints there, (legs,)
-    joint_displacement: Optional[np.ndarray]  # how far they go to there, (legs,)
+
+documented(BoundaryDistance, _core.distance_to())
 
 
-@dataclass(frozen=True, eq=False)
-class Distances:
-    """The distances of one configuration."""
+class Distances(SimpleNamespace):
+    """The distances of one configuration; each a `BoundaryDistance`."""
 
-    status: str  # "measured", "outside limits", "out of reach" or "invalid"
-    parallel: BoundaryDistance  # to det A = 0
-    serial: BoundaryDistance  # to B_jj = 0 of some leg
-    actuated_limit: BoundaryDistance  # to a limit of an actuated joint
+    def __init__(self, **fields: Any) -> None:
+        kinds = {name: BoundaryDistance(**fields[name]) for name in ("parallel", "serial", "actuated_limit")}
+        super().__init__(**{**fields, **kinds})
+
+
+documented(Distances, _core.distance_answer())
+
+
+def distances_of(answer: Dict[str, Any], mode: Any) -> "Union[Distances, Tuple[Distances, ...]]":
+    """In that mode, or in every one."""
+    found = tuple(Distances(**each) for each in answer["answers"])
+    return found if mode is None else found[0]
 
 
 @dataclass(frozen=True, eq=False)

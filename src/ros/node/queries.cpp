@@ -53,7 +53,7 @@ Queries::Queries(std::shared_ptr<const Manipulator> manipulator, RobotMonitor& m
       worker_(worker),
       to_base_(std::move(to_base)),
       read_only_(read_only),
-      meter_(manipulator_) {}
+      session_(manipulator_) {}
 
 ConfigurationAnswer Queries::resolve(const Configuration& configuration) const {
   const std::string fault = fault_of(*manipulator_, configuration);
@@ -179,10 +179,13 @@ ListAspects::Response Queries::answer(const ListAspects::Request& request) const
 // Where B_jj = 0 the working mode has no distances.
 BoundaryDistances Queries::distances(const SolvedPose& solved) const {
   const auto mode = working_mode(*manipulator_, solved.pose, solved.q);
-  const std::shared_ptr<const DistanceMap> map = worker_.known().distances_of(manipulator_);
-  const std::lock_guard<std::mutex> lock(meter_mutex_);
-  meter_.use(map);
-  return mode ? meter_.measure(solved.pose, *mode) : BoundaryDistances{};
+  if (!mode) return {};
+  ask::DistanceQuestion question;
+  question.pose = solved.pose;
+  question.mode = *mode;
+  const std::lock_guard<std::mutex> lock(session_mutex_);
+  session_.know(worker_.known().distances_of(manipulator_));
+  return ask::answer(session_, question).answer.answers.front().distances;
 }
 
 Status Queries::start(const Configuration& configuration) const {

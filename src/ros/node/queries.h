@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_NODE_QUERIES_H
 #define PARALLEL_ASPECTS_ROS_NODE_QUERIES_H
 
-#include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/ask/distance.h"
 #include "ros/messages/configurations.h"
 #include "ros/messages/conversions.h"
 #include "ros/monitor/map_worker.h"
@@ -54,8 +54,8 @@ class Queries {
   const MapWorker& worker_;
   PoseTransformer to_base_;
   const bool read_only_;
-  mutable std::mutex meter_mutex_;
-  mutable BoundaryDistanceMeter meter_;  // owns the memory it works in
+  mutable std::mutex session_mutex_;
+  mutable ask::Session session_;
 };
 
 }  // namespace parallel_aspects

@@ -17,6 +17,8 @@ json aspect_or_null(int id) { return id == 0 ? json() : json(id); }
 
 json JsonWriter::json_of(double value) const { return json_number(value); }
 
+json JsonWriter::json_of(const TaskVector& values) const { return json_numbers(values); }
+
 json JsonWriter::json_of(const MapSlice& slice) const { return json_slice(slice); }
 
 json JsonWriter::json_of(const CuspStart& start) const {
@@ -33,9 +35,8 @@ json JsonWriter::json_of(const ask::IndexBottleneck& bottleneck) const {
 }
 
 json JsonWriter::json_of(const PathPoint& point) const {
-  return {{"pose", json_of(point.pose)},
-          {"working_mode", json_of(point.mode)},
-          {"actuated", json_numbers(point.q)}};
+  return {
+      {"pose", json_of(point.pose)}, {"working_mode", json_of(point.mode)}, {"actuated", json_of(point.q)}};
 }
 
 json JsonWriter::json_of(const PathCrossing& crossing) const {

@@ -61,6 +61,8 @@ class JsonWriter {
   nlohmann::json json_of(double value) const;
   nlohmann::json json_of(const std::string& value) const { return value; }
   nlohmann::json json_of(int value) const { return value; }
+  nlohmann::json json_of(const TaskVector& values) const;
+  nlohmann::json json_of(ask::LegIndex leg) const { return robot_.leg(leg.index).name; }
   nlohmann::json json_of(const MapSlice& slice) const;
   nlohmann::json json_of(const CuspStart& start) const;
   nlohmann::json json_of(const WorkingMode& mode) const { return mode.signs(); }

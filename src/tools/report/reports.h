@@ -7,7 +7,6 @@
 #include "parallel_aspects/aspects/neighbours.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/aspects/same_aspect.h"
-#include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/urdf/mechanism.h"
@@ -43,16 +42,6 @@ void add_neighbours(const AspectMap& map, const std::vector<Neighbours>& neighbo
 
 /// `aspects map` with six degrees of freedom: samples and components by working mode and sign of det A.
 Report report_roadmap(const PoseRoadmap& roadmap, bool verbose = false);
-
-/// What is measured in one working mode.
-struct ModeDistances {
-  WorkingMode mode;
-  BoundaryDistances distances;
-};
-
-/// `aspects distance`: bounds of the distances from a pose to singularities and limits, by working mode.
-Report report_distances(const Manipulator& manipulator, const Pose& pose,
-                        const std::vector<ModeDistances>& answers);
 
 /// `aspects describe`: what was recognised in the description of the robot; where `verbose`, with every name
 /// in its notes.
