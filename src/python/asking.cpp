@@ -84,15 +84,65 @@ void KeywordReader::read(const std::string& name, const Object& given, MapSlice&
     return refuse_any(problems);
   }
   std::vector<HeldCoordinate> held;
+  read(name, given, held);
+  value = make_slice(robot_, held, problems);
+  refuse_any(problems);
+}
+
+std::vector<py::object> KeywordReader::listed(const Object& given) {
+  if (py::isinstance<py::str>(given) || !py::isinstance<py::iterable>(given)) return {given};
+  std::vector<Object> result;
+  for (const py::handle each : given) result.push_back(py::reinterpret_borrow<Object>(each));
+  return result;
+}
+
+void KeywordReader::read(const std::string& name, const Object& given, std::vector<double>& values) {
+  Problems problems;
+  if (py::isinstance<py::str>(given)) {
+    values = tools::parse_ratio(name, py::str(given), problems);
+    return refuse_any(problems);
+  }
+  const Array array = array_named(name, given);
+  values.assign(array.data(), array.data() + array.size());
+}
+
+// (1, -1) is one of them, as "(+,-) (-,+)" is two.
+void KeywordReader::read(const std::string& name, const Object& given, std::vector<WorkingMode>& values) {
+  Problems problems;
+  std::vector<Object> all = listed(given);
+  if (!all.empty() && PyIndex_Check(all.front().ptr()) != 0) all = {given};
+  for (const Object& each : all)
+    for (const WorkingMode& mode : tools::parse_modes(name, robot_, signs_text(each), problems))
+      values.push_back(mode);
+  refuse_any(problems);
+}
+
+void KeywordReader::read(const std::string& name, const Object& given, std::vector<HeldCoordinate>& values) {
+  Problems problems;
+  if (py::isinstance<py::str>(given)) values = tools::parse_values(name, py::str(given), problems);
+  if (py::isinstance<py::str>(given)) return refuse_any(problems);
   try {
     for (const auto& [coordinate, number] : py::dict(given))
-      held.push_back({py::str(coordinate), number.cast<double>()});
+      values.push_back({py::str(coordinate), number.cast<double>()});
   } catch (const std::exception&) {  // not a mapping, or not of numbers
     throw InvalidDescription({name + " is " + text_of_any(given) +
                               "; give what is held with its value, such as {\"z\": 1} or \"z=1\"."});
   }
-  value = make_slice(robot_, held, problems);
-  refuse_any(problems);
+}
+
+void KeywordReader::read(const std::string& name, const Object& given, std::vector<ask::NamedRange>& values) {
+  Problems problems;
+  if (py::isinstance<py::str>(given)) values = tools::parse_ranges(name, py::str(given), problems);
+  if (py::isinstance<py::str>(given)) return refuse_any(problems);
+  try {
+    for (const auto& [coordinate, ends] : py::dict(given)) {
+      const auto [lower, upper] = ends.cast<std::pair<double, double>>();
+      values.push_back({py::str(coordinate), lower, upper});
+    }
+  } catch (const std::exception&) {
+    throw InvalidDescription({name + " is " + text_of_any(given) +
+                              "; give ranges by name, such as {\"x\": (-1, 1)} or \"x=-1:1\"."});
+  }
 }
 
 unsigned KeywordReader::whole_number(const std::string& name, const Object& given, unsigned least,
@@ -120,6 +170,18 @@ void DictWriter::operator()(const ask::Field& /*field*/, const std::vector<PathP
 
 py::object DictWriter::object_of_value(const std::vector<int>& values) const {
   return py::tuple(py::cast(values));
+}
+
+py::object DictWriter::object_of_value(const std::vector<HeldCoordinate>& values) const {
+  std::vector<double> numbers;
+  for (const HeldCoordinate& each : values) numbers.push_back(each.value);
+  return array_of(numbers);
+}
+
+py::object DictWriter::object_of_value(const std::vector<std::pair<std::string, double>>& values) const {
+  py::dict result;
+  for (const auto& [name, value] : values) result[py::str(name)] = value;
+  return std::move(result);
 }
 
 py::object DictWriter::object_of_value(const WorkingMode& mode) const { return py::str(to_string(mode)); }

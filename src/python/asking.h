@@ -52,6 +52,11 @@ class KeywordReader {
   void read(const std::string& name, const Object& given, ask::Count<least, largest>& value) {
     value.value = whole_number(name, given, least, largest);
   }
+  /// One, or several.
+  template <unsigned least, unsigned largest>
+  void read(const std::string& name, const Object& given, std::vector<ask::Count<least, largest>>& values) {
+    for (const Object& each : listed(given)) read(name, each, values.emplace_back());
+  }
   template <class Choice, class = std::enable_if_t<std::is_enum_v<Choice>>>
   void read(const std::string& field, const Object& given, Choice& value) {
     const std::string text = pybind11::str(given);
@@ -66,6 +71,11 @@ class KeywordReader {
   void read(const std::string& name, const Object& given, WorkingMode& value);
   void read(const std::string& name, const Object& given, JointVector& value);
   void read(const std::string& name, const Object& given, MapSlice& value);
+  void read(const std::string& name, const Object& given, std::vector<double>& values);
+  void read(const std::string& name, const Object& given, std::vector<WorkingMode>& values);
+  void read(const std::string& name, const Object& given, std::vector<HeldCoordinate>& values);
+  void read(const std::string& name, const Object& given, std::vector<ask::NamedRange>& values);
+  static std::vector<Object> listed(const Object& given);
   static unsigned whole_number(const std::string& name, const Object& given, unsigned least,
                                unsigned largest);
 
@@ -122,6 +132,9 @@ class DictWriter {
   pybind11::object object_of_value(ask::LegIndex leg) const {
     return pybind11::str(robot_.leg(leg.index).name);
   }
+  pybind11::object object_of_value(const std::vector<double>& values) const { return array_of(values); }
+  pybind11::object object_of_value(const std::vector<HeldCoordinate>& values) const;
+  pybind11::object object_of_value(const std::vector<std::pair<std::string, double>>& values) const;
   pybind11::object object_of_value(const WorkingMode& mode) const;
   pybind11::object object_of_value(const Pose& pose) const;
   pybind11::object object_of_value(const std::vector<Pose>& poses) const;

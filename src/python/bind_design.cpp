@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/regular_workspace.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "tools/held_range.h"
 #include "tools/report/uniqueness_report.h"
-#include "tools/report/workspace_report.h"
-#include "tools/shape_arguments.h"
 #include "tools/sweep/sweep_arguments.h"
 #include "tools/sweep/sweep_file.h"
 #include "tools/sweep/sweep_run.h"
 
 #include "python/arrays.h"
+#include "python/asking.h"
 #include "python/bindings.h"
 #include "python/long_call.h"
 #include "python/python_errors.h"
@@ -30,54 +28,9 @@ std::string text_of(const Texts& texts, const char* name) {
   return found == texts.end() ? "" : found->second;
 }
 
-tools::ShapeArguments shape_of(const Texts& texts) {
-  return {text_of(texts, "shape"), text_of(texts, "center"), text_of(texts, "aspect_ratio"),
-          text_of(texts, "orientation"), text_of(texts, "gap")};
-}
-
-py::dict workspace_dict(const AspectMap& map, const WorkspaceQuestion& question,
-                        const RegularWorkspace& found) {
-  const std::size_t free = free_positions(*map.manipulator(), map.slice());
-  py::dict lengths;
-  for (const auto& [name, length] : lengths_of(map, question, found.lower)) lengths[py::str(name)] = length;
-  py::dict result;
-  result["aspect"] = found.aspect;
-  result["center"] = array_of(
-      std::vector<double>(found.center.begin(), found.center.begin() + static_cast<std::ptrdiff_t>(free)));
-  result["lower"] = found.lower;
-  result["upper"] = found.upper;
-  result["proved"] = found.proved;
-  result["lengths"] = lengths;
-  return result;
-}
-
-py::list workspaces(const CoreMap& map, const Texts& texts, std::vector<int> aspects,
-                    const py::object& progress) {
-  Problems problems;
-  const tools::ShapeArguments arguments = shape_of(texts);
-  WorkspaceOptions options;
-  options.gap = tools::parse_gap(arguments, problems);
-  const WorkspaceQuestion question = tools::parse_shape(arguments, map.robot(), map.map->slice(), problems);
-  const auto count = static_cast<int>(map.map->aspects().size());
-  for (const int id : aspects)
-    if (id < 1 || id > count)
-      problems.push_back("aspects has " + std::to_string(id) + "; the map has " + std::to_string(count) +
-                         ", counted from 1.");
-  refuse_any(problems);
-  if (aspects.empty())
-    for (const Aspect& aspect : map.map->aspects()) aspects.push_back(aspect.id);
-  const auto found = run_long(progress, [&](const MapControl& control) {
-    options.control = control;
-    return find_regular_workspaces(*map.map, aspects, question, options);
-  });
-  py::list result;
-  for (const RegularWorkspace& each : *found) result.append(workspace_dict(*map.map, question, each));
-  return result;
-}
-
-tools::SweepArguments sweep_arguments(const Texts& texts, bool untied) {
+tools::SweepArguments sweep_arguments(const ask::ShapeQuestion& shape, const Texts& texts, bool untied) {
   tools::SweepArguments arguments;
-  arguments.shape = shape_of(texts);
+  arguments.shape = shape;
   arguments.vary = text_of(texts, "vary");
   arguments.sample = text_of(texts, "sample");
   arguments.designs = text_of(texts, "designs");
@@ -90,11 +43,12 @@ tools::SweepArguments sweep_arguments(const Texts& texts, bool untied) {
   return arguments;
 }
 
-void sweep(const CoreRobot& robot, const std::string& file, const Texts& texts, bool untied, unsigned threads,
-           const py::object& progress) {
+void sweep(const CoreRobot& robot, const std::string& file, const Texts& texts, const py::dict& shape,
+           bool untied, unsigned threads, const py::object& progress) {
   tools::Shard shard;
+  const auto asked = read_question<ask::ShapeQuestion>(*robot.manipulator, shape);
   const tools::SweepPlan plan = asked_by_keywords([&] {
-    const tools::SweepArguments arguments = sweep_arguments(texts, untied);
+    const tools::SweepArguments arguments = sweep_arguments(asked, texts, untied);
     Problems problems;
     tools::SweepPlan parsed = tools::parse_sweep(arguments, shard, problems);
     refuse_any(problems);
@@ -136,8 +90,7 @@ py::object cusp_curves(const CoreRobot& robot, const std::string& over, const py
 
 }  // namespace
 
-void bind_design(RobotClass& robot, MapClass& map) {
-  map.def("workspace", workspaces);
+void bind_design(RobotClass& robot) {
   robot.def("sweep", sweep);
   robot.def("uniqueness", uniqueness);
   robot.def("cusp_curves", cusp_curves);

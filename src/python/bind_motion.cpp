@@ -2,6 +2,7 @@
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
 #include "parallel_aspects/ask/plan.h"
+#include "parallel_aspects/ask/workspace.h"
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
 #include "tools/arguments.h"
@@ -204,6 +205,7 @@ void bind_motion(py::module& module, RobotClass& robot, MapClass& map) {
   bind_question<ask::ConnectQuestion, ask::ConnectAnswer>("connect", module, robot, map);
   bind_question<ask::DistanceQuestion, ask::DistancesInMode>("distance", module, robot, map);
   module.def("distance_to", fields_of<ask::DistanceTo>);
+  bind_question<ask::LargestShapeQuestion, ask::ShapeInAspect>("workspace", module, robot, map);
 }
 
 }  // namespace parallel_aspects::python

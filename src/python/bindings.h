@@ -47,7 +47,7 @@ void bind_robot(RobotClass& robot);
 void bind_distance(RobotClass& robot);
 void bind_motion(pybind11::module& module, RobotClass& robot, MapClass& map);
 void bind_map(RobotClass& robot, MapClass& map);
-void bind_design(RobotClass& robot, MapClass& map);
+void bind_design(RobotClass& robot);
 
 }  // namespace parallel_aspects::python
 

@@ -15,5 +15,5 @@ PYBIND11_MODULE(_core, module) {
   pa::bind_distance(robot);
   pa::bind_map(robot, map);
   pa::bind_motion(module, robot, map);
-  pa::bind_design(robot, map);
+  pa::bind_design(robot);
 }

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H
 #define PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H
 
+#include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
@@ -48,6 +49,17 @@ std::string example_of_plane(const Manipulator& manipulator, const Pose& pose);
 /// separated by blanks or commas.
 Box parse_region(const std::string& option, const std::vector<std::string>& names, const std::string& text,
                  Problems& problems);
+
+/// Numbers with blanks, commas or colons between them, such as "1:2".
+std::vector<double> parse_ratio(const std::string& option, std::string text, Problems& problems);
+
+/// Values by name, such as "x=1 y=2", separated by blanks or commas.
+std::vector<HeldCoordinate> parse_values(const std::string& option, const std::string& text,
+                                         Problems& problems);
+
+/// Ranges by name, such as "x=-5:5 phi=0:1", likewise.
+std::vector<ask::NamedRange> parse_ranges(const std::string& option, const std::string& text,
+                                          Problems& problems);
 
 /// The margins that `text` gives, such as "parallel=0.05 serial=0.1", separated by blanks or commas; those
 /// that it does not name are as in `others`.

@@ -35,6 +35,24 @@ void TextReader::read(const std::string& option, const std::string& text, MapSli
   value = parse_slice(option, robot_, text, problems_);
 }
 
+void TextReader::read(const std::string& option, const std::string& text, std::vector<double>& values) {
+  values = parse_ratio(option, text, problems_);
+}
+
+void TextReader::read(const std::string& option, const std::string& text, std::vector<WorkingMode>& values) {
+  values = parse_modes(option, robot_, text, problems_);
+}
+
+void TextReader::read(const std::string& option, const std::string& text,
+                      std::vector<HeldCoordinate>& values) {
+  values = parse_values(option, text, problems_);
+}
+
+void TextReader::read(const std::string& option, const std::string& text,
+                      std::vector<ask::NamedRange>& values) {
+  values = parse_ranges(option, text, problems_);
+}
+
 ShownAnswering::ShownAnswering(const Surroundings& surroundings) : shown_(surroundings) {
   control_.cancelled = surroundings.interrupted;
   if (shown_.control().progress)

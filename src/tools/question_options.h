@@ -49,6 +49,14 @@ class OptionList {
   static Words words_of(const std::optional<JointVector>& /*value*/) { return Words::numbers; }
   static Words words_of(const std::optional<WorkingMode>& /*value*/) { return Words::signs; }
   static Words words_of(const std::optional<MapSlice>& /*value*/) { return Words::assignments; }
+  static Words words_of(const std::vector<HeldCoordinate>& /*value*/) { return Words::assignments; }
+  static Words words_of(const std::vector<ask::NamedRange>& /*value*/) { return Words::assignments; }
+  static Words words_of(const std::vector<WorkingMode>& /*value*/) { return Words::signs; }
+  static Words words_of(const std::vector<double>& /*value*/) { return Words::numbers; }
+  template <unsigned least, unsigned largest>
+  static Words words_of(const std::vector<ask::Count<least, largest>>& /*value*/) {
+    return Words::numbers;
+  }
 
   QuestionTexts& texts_;
   std::vector<Option> options_;
@@ -92,12 +100,21 @@ class TextReader {
     else
       problems_.push_back(option + " is '" + text + "'; give " + names + ".");
   }
+  template <unsigned least, unsigned largest>
+  void read(const std::string& option, const std::string& text,
+            std::vector<ask::Count<least, largest>>& values) {
+    for (const std::string& word : split_words(text)) read(option, word, values.emplace_back());
+  }
   void read(const std::string& option, const std::string& text, std::string& value);
   void read(const std::string& option, const std::string& text, double& value);
   void read(const std::string& option, const std::string& text, Pose& value);
   void read(const std::string& option, const std::string& text, WorkingMode& value);
   void read(const std::string& option, const std::string& text, JointVector& value);
   void read(const std::string& option, const std::string& text, MapSlice& value);
+  void read(const std::string& option, const std::string& text, std::vector<double>& values);
+  void read(const std::string& option, const std::string& text, std::vector<WorkingMode>& values);
+  void read(const std::string& option, const std::string& text, std::vector<HeldCoordinate>& values);
+  void read(const std::string& option, const std::string& text, std::vector<ask::NamedRange>& values);
 
   const Manipulator& robot_;
   const QuestionTexts& texts_;

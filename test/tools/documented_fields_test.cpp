@@ -3,6 +3,7 @@
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
 #include "parallel_aspects/ask/plan.h"
+#include "parallel_aspects/ask/workspace.h"
 #include "tools/report/option_name.h"
 
 #include <gtest/gtest.h>
@@ -53,6 +54,8 @@ TEST(DocumentedFields, AreThoseOfTheAnswers) {
   expect_documented<ask::DistanceAnswer>();
   expect_documented<ask::DistancesInMode>();
   expect_documented<ask::DistanceTo>();
+  expect_documented<ask::LargestShapeAnswer>();
+  expect_documented<ask::ShapeInAspect>();
 }
 
 }  // namespace

@@ -41,6 +41,13 @@ struct LegIndex {
   std::size_t index = 0;  ///< in the order of the legs
 };
 
+/// A range of a coordinate or joint.
+struct NamedRange {
+  std::string name;    ///< whose
+  double lower = 0.0;  ///< [m or rad]
+  double upper = 0.0;  ///< [m or rad]
+};
+
 /// The value of an enumeration with this name. Nothing where there is none; `names` are then all, as
 /// "stay, serial or any". It has `choices` and `name`, found by its namespace.
 template <class Choice>

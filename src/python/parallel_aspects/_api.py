@@ -10,7 +10,7 @@ import numpy as np
 from . import _core
 from ._core import InvalidDescription
 from ._fields import documented
-from ._map import NOT_MAPPED, OUTSIDE, UNDECIDED, Map, shape_texts
+from ._map import NOT_MAPPED, OUTSIDE, UNDECIDED, Map
 from ._results import (
     Aspect,
     BoundaryDistance,
@@ -288,6 +288,14 @@ class Robot:
         ends = {"start": start, "goal": goal, "start_mode": start_mode, "goal_mode": goal_mode}
         return Path(**self._core.plan({**ends, **options}, progress))
 
+    def workspace(
+        self, shape: str, aspect: "Union[None, int, Sequence[int]]" = None, *, progress: Progress = None, **options: Any
+    ) -> List[Workspace]:
+        """The largest regular shape in each aspect, as of `aspects workspace`: in a map that is computed first.
+        `Map.workspace` asks a map that is there."""
+        answer = self._core.workspace({"shape": shape, "aspect": aspect, **options}, progress)
+        return [Workspace(**each) for each in answer["workspaces"]]
+
     def sweep(
         self,
         vary: "Union[str, Mapping[str, Union[float, Sequence[float]]]]",
@@ -320,11 +328,10 @@ class Robot:
             "slice": values_text(slice),
             "mode": modes_text(modes),
             "shard": shard or "",
-            **shape_texts(**shape),
         }
         with tempfile.TemporaryDirectory() as folder:
             rows = os.fspath(file) if file is not None else os.path.join(folder, "sweep.csv")
-            self._core.sweep(rows, texts, untied, count("threads", threads), progress)
+            self._core.sweep(rows, texts, shape, untied, count("threads", threads), progress)
             return read_sweep(rows)
 
     def uniqueness(
@@ -351,6 +358,7 @@ class Robot:
 documented(Robot.plan, _core.plan_question())
 documented(Robot.connect, _core.connect_question())
 documented(Robot.distance, _core.distance_question())
+documented(Robot.workspace, _core.workspace_question())
 
 
 def read_sweep(file: "Union[str, os.PathLike]") -> Sweep:

@@ -8,7 +8,7 @@ import numpy as np
 from . import _core
 from ._fields import documented
 from ._results import Aspect, Distances, Path, Workspace, distances_of
-from ._text import Mode, array, count, listed, mode_text, number, ranges_text, ratio_text, real, values_text
+from ._text import Mode, array, count, mode_text, real
 
 UNDECIDED = 0  # closer to a singularity or a limit than the map can tell
 OUTSIDE = -1  # proved to lie in no aspect of the working mode
@@ -95,24 +95,15 @@ class Map:
     def workspace(
         self,
         shape: str,
-        aspects: "Union[int, Sequence[int]]" = (),
-        center: "Union[None, str, Dict[str, float]]" = None,
-        aspect_ratio: "Union[None, str, Sequence[float]]" = None,
-        orientation: "Union[None, str, Dict[str, Sequence[float]]]" = None,
-        gap: Optional[float] = None,
+        aspect: "Union[None, int, Sequence[int]]" = None,
+        *,
         progress: Optional[Callable[[float], Any]] = None,
+        **options: Any,
     ) -> List[Workspace]:
-        """The largest regular shape in each of these aspects, by default in all: "box", "square", "disc", "cylinder" or
-        "ball".
-
-        center: coordinates of it that are held, as {"x": 4.5} [m].
-        aspect_ratio: of a box its edges to each other, of a cylinder diameter and height, as (1, 2).
-        orientation: angles that must be possible all over it, as {"phi": (-0.2, 0.2)} [rad]; by default all.
-        gap: between the bounds of its size, of the upper one, that is aimed at; by default 0.01.
-        """
-        texts = shape_texts(shape, center, aspect_ratio, orientation, gap)
-        ids = [count("aspects", each) for each in listed(aspects)]
-        return [Workspace(**each) for each in self._core.workspace(texts, ids, progress)]
+        """The largest regular shape in each of these aspects, by default in all, as of `aspects workspace`. Ranges and values
+        are texts or mappings, as {"phi": (-0.2, 0.2)} and {"x": 4.5}."""
+        answer = self._core.workspace({"shape": shape, "aspect": aspect, **options}, progress)
+        return [Workspace(**each) for each in answer["workspaces"]]
 
     def connect(
         self, start: "np.typing.ArrayLike", goal: "np.typing.ArrayLike", *, progress: Optional[Callable[[float], Any]] = None, **options: Any
@@ -168,20 +159,4 @@ class Map:
 documented(Map.plan, _core.plan_question())
 documented(Map.connect, _core.connect_question())
 documented(Map.distance, _core.distance_question())
-
-
-def shape_texts(
-    shape: str = "",
-    center: "Union[None, str, Dict[str, float]]" = None,
-    aspect_ratio: "Union[None, str, Sequence[float]]" = None,
-    orientation: "Union[None, str, Dict[str, Sequence[float]]]" = None,
-    gap: Optional[float] = None,
-) -> Dict[str, str]:
-    """The arguments of `Map.workspace` as texts."""
-    return {
-        "shape": shape,
-        "center": values_text(center),
-        "aspect_ratio": ratio_text(aspect_ratio),
-        "orientation": ranges_text(orientation),
-        "gap": "" if gap is None else number(gap),
-    }
+documented(Map.workspace, _core.workspace_question())

@@ -112,16 +112,11 @@ class Path(SimpleNamespace):
 documented(Path, _core.plan_answer())
 
 
-@dataclass(frozen=True, eq=False)
-class Workspace:
+class Workspace(SimpleNamespace):
     """The largest regular shape in an aspect."""
 
-    aspect: int
-    center: np.ndarray  # by free position [m]
-    lower: float  # size that is proved: radius, edge, or edge along the first position [m]
-    upper: float  # proved: no such shape in the aspect is larger [m]
-    proved: bool  # whether the gap that was asked for is closed
-    lengths: Dict[str, float]  # of the shape that is proved, as "radius" and "height" [m]
+
+documented(Workspace, _core.workspace_answer())
 
 
 @dataclass(frozen=True, eq=False)

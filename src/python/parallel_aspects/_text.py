@@ -94,11 +94,6 @@ def values_text(values: "Union[None, Values]") -> str:
     return " ".join(f"{name}={number(value)}" for name, value in named(values))
 
 
-def ratio_text(ratio: "Union[None, str, Sequence[float]]") -> str:
-    """ "1:2" for (1, 2)."""
-    return ratio or "" if ratio is None or isinstance(ratio, str) else ":".join(map(number, listed(ratio)))
-
-
 def words_text(words: "Union[None, str, Iterable[str]]") -> str:
     """ "count,measures" for ("count", "measures")."""
     return words or "" if words is None or isinstance(words, str) else ",".join(words)

@@ -6,8 +6,6 @@
 
 #include <parallel_aspects/LargestShape.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,69 +15,49 @@ namespace {
 
 using Request = GetRegularWorkspace::Request;
 
-constexpr std::size_t most_numbers = 3;  // of a list
-
-void read_center(const Request& request, const std::vector<std::string>& positions,
-                 WorkspaceQuestion& question, Problems& problems) {
-  if (request.held.size() != request.center.size()) {
-    problems.emplace_back("held and center have different lengths; give a value for each coordinate.");
-    return;
-  }
-  for (std::size_t i = 0; i < request.held.size(); ++i) {
-    const auto found = std::find(positions.begin(), positions.end(), request.held[i]);
-    if (found == positions.end())
-      problems.emplace_back("held names what is no free position; give some of x, y and z.");
-    else
-      question.center[static_cast<std::size_t>(found - positions.begin())] = request.center[i];
-  }
+/// As the fields of a request.
+std::string field_of_request(const std::string& field) {
+  return field == "aspect_ratio"  ? "ratio"
+         : field == "orientation" ? "angle"
+         : field == "center"      ? "held and center"
+         : field == "mode"        ? "working_mode"
+                                  : field;
 }
 
-WorkspaceQuestion question_of(const AspectMap& map, const Request& request, Problems& problems) {
-  WorkspaceQuestion question;
-  const auto shape = shape_named(request.shape);
-  if (!shape) problems.emplace_back("shape must be box, square, disc, cylinder or ball.");
-  if (request.ratio.size() > most_numbers)
-    problems.emplace_back("ratio has more numbers than a shape has edges.");
+Status read(const AspectMap& map, const Request& request, ask::LargestShapeQuestion& question) {
+  std::string names;
+  question.shape.shape = ask::choice_named<RegularShape>(request.shape, names);
+  if (!question.shape.shape) return invalid_request("shape must be " + names + ".");
+  if (request.held.size() != request.center.size())
+    return invalid_request("held and center have different lengths; give a value for each coordinate.");
+  for (std::size_t i = 0; i < request.held.size(); ++i)
+    question.shape.center.push_back({request.held[i], request.center[i]});
   if (!request.angle.empty() && request.angle.size() != 2)
-    problems.emplace_back("angle takes its lower and its upper end, or nothing.");
-  if (!problems.empty()) return question;
-  question.shape = *shape;
-  question.ratio = request.ratio;
-  if (!request.angle.empty()) question.angle = AngleRange{request.angle[0], request.angle[1]};
-  const std::size_t free = free_positions(*map.manipulator(), map.slice());
-  const std::vector<std::string> names = map.coordinates();
-  read_center(request,
-              {names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(free, names.size()))},
-              question, problems);
-  if (problems.empty()) problems = problems_of(*map.manipulator(), map.slice(), question);
-  return question;
+    return invalid_request("angle takes its lower and its upper end, or nothing.");
+  if (!request.angle.empty())
+    question.shape.orientation.push_back({map.coordinates().back(), request.angle[0], request.angle[1]});
+  question.shape.aspect_ratio = request.ratio;
+  if (*question.shape.shape == RegularShape::cylinder && request.ratio.size() == 1)
+    question.shape.aspect_ratio = {1.0, request.ratio[0]};
+  if (request.gap != 0.0) question.shape.gap = request.gap;
+  if (request.aspect != 0) question.aspects.emplace_back().value = request.aspect;
+  if (request.working_mode.empty()) return {};
+  const auto mode = WorkingMode::from_signs({request.working_mode.begin(), request.working_mode.end()});
+  if (!mode) return invalid_request("working_mode must have a sign, 1 or -1, for each leg, or be empty.");
+  question.modes = {*mode};
+  return {};
 }
 
-/// Those that are asked for; with a problem where there is none.
-std::vector<int> aspects_of(const AspectMap& map, const Request& request, Problems& problems) {
-  std::vector<int> ids;
-  for (const Aspect& aspect : map.aspects()) {
-    const bool is_mode = request.working_mode.empty() || signs_message(aspect.mode) == request.working_mode;
-    const bool is_asked = request.aspect == 0 || static_cast<std::uint32_t>(aspect.id) == request.aspect;
-    if (is_mode && is_asked) ids.push_back(aspect.id);
-  }
-  if (ids.empty())
-    problems.emplace_back("The map has no such aspect; ~list_aspects names those that it has.");
-  return ids;
-}
-
-LargestShape message_of(const AspectMap& map, const WorkspaceQuestion& question,
-                        const RegularWorkspace& workspace) {
+LargestShape message_of(const AspectMap& map, const ask::ShapeInAspect& shape) {
   LargestShape message;
-  const Aspect& aspect = map.aspects()[static_cast<std::size_t>(workspace.aspect - 1)];
-  message.aspect = static_cast<std::uint32_t>(aspect.id);
-  message.working_mode = signs_message(aspect.mode);
-  message.determinant_sign = static_cast<std::int8_t>(aspect.determinant_sign);
-  message.center = pose_message(center_in_base(map, workspace));
-  message.lower = workspace.lower;
-  message.upper = workspace.upper;
-  message.proved = workspace.proved;
-  for (const auto& [name, length] : lengths_of(map, question, workspace.lower)) {
+  message.aspect = static_cast<std::uint32_t>(shape.found.aspect);
+  message.working_mode = signs_message(shape.mode);
+  message.determinant_sign = static_cast<std::int8_t>(shape.determinant_sign);
+  message.center = pose_message(center_in_base(map, shape.found));
+  message.lower = shape.found.lower;
+  message.upper = shape.found.upper;
+  message.proved = shape.found.proved;
+  for (const auto& [name, length] : shape.lengths) {
     message.names.push_back(name);
     message.lengths.push_back(length);
   }
@@ -103,29 +81,32 @@ GetRegularWorkspace::Response WorkspaceQueries::answer(const Request& request) c
     response.status =
         make_status(Status::MAP_NOT_READY, "There is no map yet. " + worker_.progress().message);
   else
-    response.status = find(*map, request, response);
+    response.status = find(map, request, response);
   return response;
 }
 
-Status WorkspaceQueries::find(const AspectMap& map, const Request& request,
+Status WorkspaceQueries::find(const std::shared_ptr<const AspectMap>& map, const Request& request,
                               GetRegularWorkspace::Response& response) const {
-  Problems problems;
-  const WorkspaceQuestion question = question_of(map, request, problems);
-  if (!std::isfinite(request.gap) || request.gap < 0.0 || request.gap >= 1.0)
-    problems.emplace_back("gap must be from 0 to below 1; 0 stands for 0.01.");
-  const std::vector<int> ids = aspects_of(map, request, problems);
-  if (!problems.empty()) return invalid_request(problems.front());
-  WorkspaceOptions options;
-  if (request.gap > 0.0) options.gap = request.gap;
-  options.control.cancelled = &cancelled_;
-  const auto found = find_regular_workspaces(map, ids, question, options);
-  if (!found) return make_status(Status::CANCELLED, "The node ends, or takes up another robot.");
-  const auto best = std::max_element(found->begin(), found->end(),
-                                     [](const auto& a, const auto& b) { return a.lower < b.lower; });
-  for (const RegularWorkspace& each : *found) response.shapes.push_back(message_of(map, question, each));
-  response.best = best->lower > 0.0 ? static_cast<std::uint32_t>(best->aspect) : 0;
-  markers_.publish(workspace_markers(map, question, *best));
-  return Status();
+  ask::LargestShapeQuestion question;
+  const Status read_status = read(*map, request, question);
+  if (read_status.code != Status::OK) return read_status;
+  ask::Session session(map->manipulator());
+  session.know(map);
+  ask::Control control;
+  control.cancelled = &cancelled_;
+  const auto outcome = ask::answer(session, question, control);
+  if (outcome.status == MapStatus::cancelled)
+    return make_status(Status::CANCELLED, "The node ends, or takes up another robot.");
+  if (!outcome && outcome.problems.front().field == "aspect")
+    return invalid_request("The map has no such aspect; ~list_aspects names those that it has.");
+  if (!outcome) return invalid_request(text_of(outcome.problems.front(), field_of_request));
+  const ask::LargestShapeAnswer& answer = outcome.answer;
+  for (const ask::ShapeInAspect& each : answer.workspaces) response.shapes.push_back(message_of(*map, each));
+  const ask::ShapeInAspect* best = answer.best();
+  response.best = best == nullptr ? 0 : static_cast<std::uint32_t>(best->found.aspect);
+  markers_.publish(
+      workspace_markers(*map, answer.question, best == nullptr ? RegularWorkspace() : best->found));
+  return {};
 }
 
 }  // namespace parallel_aspects

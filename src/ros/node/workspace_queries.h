@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_NODE_WORKSPACE_QUERIES_H
 #define PARALLEL_ASPECTS_ROS_NODE_WORKSPACE_QUERIES_H
 
-#include "parallel_aspects/aspects/regular_workspace.h"
+#include "parallel_aspects/ask/workspace.h"
 #include "ros/monitor/map_worker.h"
 
 #include <parallel_aspects/GetRegularWorkspace.h>
@@ -11,6 +11,7 @@
 #include <ros/publisher.h>
 
 #include <atomic>
+#include <memory>
 
 namespace parallel_aspects {
 
@@ -26,7 +27,7 @@ class WorkspaceQueries {
   void cancel() { cancelled_ = true; }
 
  private:
-  Status find(const AspectMap& map, const GetRegularWorkspace::Request& request,
+  Status find(const std::shared_ptr<const AspectMap>& map, const GetRegularWorkspace::Request& request,
               GetRegularWorkspace::Response& response) const;
 
   const TaskSpace space_;

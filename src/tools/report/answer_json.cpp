@@ -19,6 +19,18 @@ json JsonWriter::json_of(double value) const { return json_number(value); }
 
 json JsonWriter::json_of(const TaskVector& values) const { return json_numbers(values); }
 
+json JsonWriter::json_of(const std::vector<HeldCoordinate>& values) const {
+  json object = json::object();
+  for (const HeldCoordinate& each : values) object[each.name] = json_of(each.value);
+  return object;
+}
+
+json JsonWriter::json_of(const std::vector<std::pair<std::string, double>>& values) const {
+  json object = json::object();
+  for (const auto& [name, value] : values) object[name] = json_of(value);
+  return object;
+}
+
 json JsonWriter::json_of(const MapSlice& slice) const { return json_slice(slice); }
 
 json JsonWriter::json_of(const CuspStart& start) const {

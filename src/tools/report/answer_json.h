@@ -62,6 +62,9 @@ class JsonWriter {
   nlohmann::json json_of(const std::string& value) const { return value; }
   nlohmann::json json_of(int value) const { return value; }
   nlohmann::json json_of(const TaskVector& values) const;
+  /// Objects by name.
+  nlohmann::json json_of(const std::vector<HeldCoordinate>& values) const;
+  nlohmann::json json_of(const std::vector<std::pair<std::string, double>>& values) const;
   nlohmann::json json_of(ask::LegIndex leg) const { return robot_.leg(leg.index).name; }
   nlohmann::json json_of(const MapSlice& slice) const;
   nlohmann::json json_of(const CuspStart& start) const;

@@ -4,6 +4,7 @@
 #include "tools/computation.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
+#include "tools/question_options.h"
 #include "tools/subcommands.h"
 #include "tools/sweep/sweep_arguments.h"
 #include "tools/sweep/sweep_file.h"
@@ -24,6 +25,7 @@ struct SweepChoice {
   RobotChoice robot;
   ConstraintArguments constraints;
   SweepArguments sweep;
+  QuestionTexts shape;
   std::string threads, file;  // empty where not given
 };
 
@@ -62,7 +64,7 @@ Report sweep(const SweepPlan& plan, const Shard& shard, const std::string& name,
   return report_sweep(plan, shard, before, file, name);
 }
 
-Report report_of(const SweepChoice& choice, const Surroundings& surroundings) {
+Report report_of(SweepChoice choice, const Surroundings& surroundings) {
   Problems problems;
   Shard shard;
   SweepPlan plan = parse_sweep(choice.sweep, shard, problems);
@@ -71,8 +73,9 @@ Report report_of(const SweepChoice& choice, const Surroundings& surroundings) {
   check_output_file("-o", choice.file, problems);
   const auto mechanism = load_robot(choice.robot, std::move(problems));
   problems.clear();
-  set_robot(choose_constraints(mechanism->mapped_manipulator(), choice.constraints), choice.sweep, plan,
-            problems);
+  const auto robot = choose_constraints(mechanism->mapped_manipulator(), choice.constraints);
+  choice.sweep.shape = read_question<ask::ShapeQuestion>(*robot, choice.shape, problems);
+  if (problems.empty()) set_robot(robot, choice.sweep, plan, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return sweep(plan, shard, choice.file, threads, surroundings);
 }
@@ -102,7 +105,7 @@ std::vector<Option> options_of(SweepChoice& choice) {
   options.push_back(
       {"--mode", "\"(+,-)\"", "Map these working modes only", &arguments.modes, false, Words::signs});
   options.push_back({"--threads", "N", "Designs at a time; by default one a core", &choice.threads});
-  for (const Option& option : shape_options(arguments.shape, false)) options.push_back(option);
+  for (const Option& option : question_options<ask::ShapeQuestion>(choice.shape)) options.push_back(option);
   for (const Option& option : constraint_options(choice.constraints)) options.push_back(option);
   return options;
 }

@@ -3,6 +3,7 @@
 
 #include "tools/arguments.h"
 #include "tools/numbers.h"
+#include "tools/report/option_name.h"
 
 #include <utility>
 
@@ -76,15 +77,17 @@ void take_map_options(const SweepArguments& arguments, const Manipulator& manipu
   if (!arguments.slice.empty())
     question.map.slice = parse_slice("--slice", manipulator, arguments.slice, problems);
   question.map.modes = parse_modes("--mode", manipulator, arguments.modes, problems);
-  if (!question.workspace && (!arguments.shape.name.empty() || !arguments.shape.ratio.empty()))
+  if (!question.workspace && (arguments.shape.shape || !arguments.shape.aspect_ratio.empty()))
     problems.emplace_back("--shape is of --report workspace; ask for that, or leave it out.");
   if (!question.workspace) return;
-  if (arguments.shape.name.empty()) {
+  if (!arguments.shape.shape) {
     problems.emplace_back("--report workspace takes --shape: box, square, disc, cylinder or ball.");
     return;
   }
-  question.workspace = parse_shape(arguments.shape, manipulator, question.map.slice, problems);
-  question.gap = arguments.shape.gap.empty() ? question.gap : parse_gap(arguments.shape, problems);
+  ask::ProblemList wrong;
+  question.workspace = arguments.shape.of(manipulator, question.map.slice, wrong);
+  for (const std::string& text : texts_of(wrong, option_name)) problems.push_back(text);
+  question.gap = arguments.shape.gap.value_or(question.gap);
 }
 
 void refuse_six_degrees(const Manipulator& manipulator, const DesignQuestion& question, Problems& problems) {

@@ -2,9 +2,9 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_SWEEP_SWEEP_ARGUMENTS_H
 #define PARALLEL_ASPECTS_TOOLS_SWEEP_SWEEP_ARGUMENTS_H
 
+#include "parallel_aspects/ask/workspace.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"
-#include "tools/shape_arguments.h"
 #include "tools/sweep/sweep_file.h"
 #include "tools/sweep/sweep_plan.h"
 
@@ -13,9 +13,10 @@
 
 namespace parallel_aspects::tools {
 
-/// What a sweep varies and reports, as text from the command line; empty where not given.
+/// What a sweep varies and reports, as text from the command line; empty where not given. The shape is
+/// understood, as that of `aspects workspace`.
 struct SweepArguments {
-  ShapeArguments shape{};
+  ask::ShapeQuestion shape{};
   std::string vary, sample, designs, figures, shard, resolution, slice, modes;
   bool untied = false;
 };

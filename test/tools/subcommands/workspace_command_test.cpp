@@ -30,7 +30,7 @@ TEST_F(WorkspaceCommand, TellsTheLargestDiscOfEachAspect) {
   for (const json& each : report.at("workspaces")) {
     EXPECT_TRUE(each.at("proved"));
     EXPECT_LE(each.at("lower").get<double>(), each.at("upper").get<double>());
-    EXPECT_EQ(each.at("size").at("radius"), each.at("lower"));
+    EXPECT_EQ(each.at("lengths").at("radius"), each.at("lower"));
     EXPECT_TRUE(each.at("center").contains("y"));
   }
   const Outcome text = run({"workspace", "five_bar", "--shape", "disc", "--aspect", "8"});
@@ -43,7 +43,7 @@ TEST_F(WorkspaceCommand, RatiosCentersAndAspectsAreTaken) {
   ASSERT_EQ(report.at("workspaces").size(), 1U);
   const json& found = report.at("workspaces")[0];
   EXPECT_EQ(found.at("center").at("x"), 4.5);
-  EXPECT_NEAR(found.at("size").at("edge_y"), 2.0 * found.at("size").at("edge_x").get<double>(), 1e-12);
+  EXPECT_NEAR(found.at("lengths").at("edge_y"), 2.0 * found.at("lengths").at("edge_x").get<double>(), 1e-12);
 }
 
 TEST_F(WorkspaceCommand, DrawsTheShapes) {
@@ -72,12 +72,14 @@ TEST_F(WorkspaceCommand, WhatDoesNotFitIsRefused) {
             "--aspect is 11, but the map has 10 aspects, counted from 1; `aspects map` lists them.\n");
   EXPECT_EQ(refused({"workspace", "five_bar", "--shape", "disc", "--gap", "2"}),
             "--gap is a share of the size; give one below 1, such as 0.01.\n");
-  EXPECT_EQ(refused({"workspace", "five_bar", "--shape", "box", "--gap", "0", "--center", "z=1",
+  EXPECT_EQ(refused({"workspace", "five_bar", "--shape", "box", "--gap", "0", "--center", "z",
                      "--aspect-ratio", "x", "--mode", "+"}),
-            "--gap is '0'; give a finite number greater than zero, such as 0.05.\n"
-            "--mode is '+'; give the signs of B_jj of each leg, such as \"(-,+)\", for each working mode.\n"
-            "--aspect-ratio has 1 number, but needs 2: \"edge edge\".\n"
+            "--center has 'z'; give names with their values, such as \"x=0.5\".\n"
             "--aspect-ratio has 'x', which is not a finite number; give one.\n"
+            "--gap is '0'; give a finite number greater than zero, such as 0.05.\n"
+            "--mode is '+'; give the signs of B_jj of each leg, such as \"(-,+)\", for each working mode.\n");
+  EXPECT_EQ(refused({"workspace", "five_bar", "--shape", "box", "--center", "z=1", "--aspect-ratio", "3"}),
+            "--aspect-ratio has 1 number; give 2, an edge for each free position.\n"
             "--center has 'z=1'; give free positions with their values, such as \"x=0.5\".\n");
   EXPECT_NE(refused({"workspace", "stewart", "--shape", "ball"}).find("six degrees of freedom"),
             std::string::npos);
