@@ -25,6 +25,9 @@ constexpr double bars_left = 190.0, bars_width = 480.0, first_row = 66.0, row_he
 // Shorter bars, as a share of the longest, are counted and not drawn.
 constexpr double least_share = 0.02;
 
+constexpr const char *dark_positive = "#4477aa", *dark_negative = "#cc6677", *light_positive = "#b4c8dd",
+                     *light_negative = "#ebc2c9";
+
 class BasinsDrawing {
  public:
   BasinsDrawing(const AspectMap& map, const MapBasins& basins) : map_(map), basins_(basins) {
@@ -39,8 +42,11 @@ class BasinsDrawing {
     std::string picture = svg::start(bars_left + bars_width + 30.0, height);
     picture += text_at(10.0, 18.0, "start", map_.manipulator()->name() + ": basins of its aspects", 14.0);
     picture += text_at(10.0, 34.0, "start", caption());
-    picture += text_at(10.0, 50.0, "start",
-                       "det A > 0: blue; det A < 0: red; light: between the proved bounds of an end");
+    picture += svg::key(10.0, 50.0,
+                        {{dark_positive, "det A > 0"},
+                         {dark_negative, "det A < 0"},
+                         {light_positive, ""},
+                         {light_negative, "between the proved bounds of an end"}});
     picture += scale(first_row - 4.0, height - bottom + 4.0);
     for (std::size_t i = 0; i < rows_.size(); ++i)
       if (rows_[i]) picture += row(basins_.basins[i], *rows_[i]);
@@ -72,7 +78,8 @@ class BasinsDrawing {
   std::string row(const Basin& basin, std::size_t row) const {
     const Aspect& aspect = map_.aspects()[static_cast<std::size_t>(basin.aspect - 1)];
     const bool positive = aspect.determinant_sign > 0;
-    const std::string dark = positive ? "#4477aa" : "#cc6677", light = positive ? "#b4c8dd" : "#ebc2c9";
+    const std::string dark = positive ? dark_positive : dark_negative,
+                      light = positive ? light_positive : light_negative;
     const IndexRange start = basin.deeper ? basin.saddle : IndexRange{0.0, 0.0};
     std::string picture =
         bar(start.lower, basin.depth.upper, row, light) + bar(start.upper, basin.depth.lower, row, dark) +

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/check_drawing.h"
 
+#include "aspects/pictures/palette.h"
 #include "model/number_text.h"
+#include "tools/drawing/page_elements.h"
 #include "tools/drawing/svg.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace parallel_aspects::tools {
 namespace {
@@ -19,7 +23,15 @@ using svg::text_at;
 constexpr double chart_left = 70.0, chart_width = 640.0, first_chart = 66.0, chart_height = 180.0,
                  chart_gap = 50.0;
 
-constexpr std::array<const char*, 3> colors{"#1f77b4", "#d62728", "#2ca02c"};
+/// Colours of curves and what they mean.
+using ChartKey = std::vector<std::pair<std::string, std::string>>;
+
+/// In the colours that boundaries have in all pictures.
+ChartKey boundary_key() {
+  return {{color_text(boundary_color(BoundaryKind::parallel)), "parallel singularities"},
+          {color_text(boundary_color(BoundaryKind::serial)), "serial singularities"},
+          {color_text(boundary_color(BoundaryKind::limit)), "limits"}};
+}
 
 /// A panel of curves over time, from 0 to the largest value.
 class Chart {
@@ -32,11 +44,12 @@ class Chart {
     for (const TrajectoryCrossing& crossing : check.crossings) end_ = std::max(end_, crossing.before);
   }
 
-  std::string frame(const std::string& title) const {
+  std::string frame(const std::string& title, const ChartKey& key) const {
     std::string text = "<rect x=\"" + number(chart_left) + "\" y=\"" + number(y_) + "\" width=\"" +
                        number(chart_width) + "\" height=\"" + number(chart_height) +
                        "\" fill=\"none\" stroke=\"#888888\"/>\n";
     text += text_at(chart_left, y_ - 6.0, "start", title);
+    text += svg::key(chart_left + text_width(title, svg::font_size) + 14.0, y_ - 6.0, key);
     text += text_at(chart_left - 6.0, y_ + 10.0, "end", number_text(largest_, 3));
     text += text_at(chart_left - 6.0, y_ + chart_height, "end", "0");
     text += text_at(chart_left, y_ + chart_height + 14.0, "start", number_text(begin_) + " s");
@@ -69,9 +82,10 @@ class Chart {
 
 std::string draw_indices(const TrajectoryCheck& check, double y) {
   const Chart panel(check, y, 1.0);
-  return panel.frame("least index: parallel blue, serial red") + panel.curve(colors[0], [&](std::size_t i) {
+  const ChartKey key{boundary_key()[0], boundary_key()[1]};
+  return panel.frame("least index:", key) + panel.curve(key[0].first, [&](std::size_t i) {
     return check.samples[i].parallel_index;
-  }) + panel.curve(colors[1], [&](std::size_t i) { return check.samples[i].serial_indices.minCoeff(); });
+  }) + panel.curve(key[1].first, [&](std::size_t i) { return check.samples[i].serial_indices.minCoeff(); });
 }
 
 std::string draw_distances(const TrajectoryCheck& check, const std::vector<SampleDistances>& distances,
@@ -81,10 +95,10 @@ std::string draw_distances(const TrajectoryCheck& check, const std::vector<Sampl
     for (const double value : each.lower)
       if (std::isfinite(value)) largest = std::max(largest, value);
   const Chart panel(check, y, largest);
-  std::string text =
-      panel.frame("proved distance [m]: to parallel singularities blue, serial red, limits green");
-  for (std::size_t k = 0; k < colors.size(); ++k)
-    text += panel.curve(colors[k], [&](std::size_t i) { return distances[i].lower[k]; });
+  const ChartKey key = boundary_key();
+  std::string text = panel.frame("proved distance [m] to", key);
+  for (std::size_t k = 0; k < key.size(); ++k)
+    text += panel.curve(key[k].first, [&](std::size_t i) { return distances[i].lower[k]; });
   return text;
 }
 

@@ -3,6 +3,8 @@
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_SVG_H
 
 #include <string>
+#include <utility>
+#include <vector>
 
 /// Parts of pictures as SVG. Lengths on the page [px].
 namespace parallel_aspects::tools::svg {
@@ -21,6 +23,9 @@ std::string start(double width, double height);
 /// Text whose "start", "middle" or "end" is there.
 std::string text_at(double x, double y, const std::string& anchor, const std::string& text,
                     double size = font_size);
+
+/// Colours and what they mean, one beside the other from there on.
+std::string key(double x, double y, const std::vector<std::pair<std::string, std::string>>& entries);
 
 }  // namespace parallel_aspects::tools::svg
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/pictures/palette.h"
 #include "tools/command.h"
 
 #include <gtest/gtest.h>
@@ -113,6 +114,10 @@ TEST_F(CheckCommand, SamplesAreWrittenAsATableAndAPicture) {
   EXPECT_EQ(measured, 5);
   std::getline(picture, line);
   EXPECT_EQ(line.rfind("<svg", 0), 0U) << line;
+  const std::string drawn{std::istreambuf_iterator<char>(picture), {}};
+  for (const BoundaryKind kind : {BoundaryKind::parallel, BoundaryKind::serial, BoundaryKind::limit})
+    EXPECT_NE(drawn.find("fill=\"" + color_text(boundary_color(kind)) + "\"/>"), std::string::npos)
+        << "what the colours mean";
   EXPECT_EQ(check_path("t,x,y\n0,4.5,8\n", {"--csv", "/no/such/folder/a.csv"}).code, exit_code::bad_input);
   EXPECT_EQ(check_path("t,x,y\n0,4.5,8\n", {"--distances", "few"}).code, exit_code::bad_input);
 }

@@ -245,6 +245,7 @@ TEST_F(MapCommand, PersistenceListsBasins) {
   const std::string svg{std::istreambuf_iterator<char>(stream), {}};
   EXPECT_NE(svg.find("five_bar: basins of its aspects"), std::string::npos);
   EXPECT_NE(svg.find("aspect 10 (-,-)"), std::string::npos);
+  EXPECT_NE(svg.find(">det A &gt; 0</text>"), std::string::npos) << "what the colours mean";
   std::size_t bars = 0;
   for (std::size_t at = svg.find("<rect x"); at != std::string::npos; at = svg.find("<rect x", at + 1))
     ++bars;
