@@ -16,6 +16,8 @@ constexpr double page_title_size = 16.0, heading_size = 13.0, text_size = 10.0, 
 constexpr double least_figure = 250.0;  // so that what is written over it has room
 constexpr std::size_t most_entries = 8;
 constexpr double swatch = 10.0, between_entries = 16.0;
+constexpr double below_base_line = 4.0;  // of what hangs below the base line of a text
+constexpr std::size_t most_missing = 12;
 
 /// Lines of words that are no wider than that.
 std::vector<std::string> wrapped(const std::string& text, double width) {
@@ -110,7 +112,7 @@ class PageDrawing {
     y_ = bottom + between_rows;
   }
 
-  /// Entries in lines from there on; returns where they end.
+  /// Entries in lines from there on; returns where they end, with what hangs below the last base line.
   double draw_entries(const std::vector<LegendEntry>& entries, const PagePoint& start, double width) {
     PagePoint at = start;
     for (const LegendEntry& entry : entries) {
@@ -121,7 +123,7 @@ class PageDrawing {
       write(at + PagePoint(swatch + 5.0, 0.0), text_size, entry.text, false);
       at.x() += needed + between_entries;
     }
-    return entries.empty() ? start.y() - line_pitch : at.y();
+    return (entries.empty() ? start.y() - line_pitch : at.y()) + below_base_line;
   }
 
   void draw_swatch(const LegendEntry& entry, const PagePoint& at) {
@@ -165,6 +167,14 @@ std::vector<LegendEntry> aspect_entries(const AspectMap& map, const std::vector<
     entries.push_back({colors[index], false, aspect_words(map, map.aspects()[index])});
   }
   return entries;
+}
+
+std::string missing_aspects(const std::vector<int>& ids, const std::string& why) {
+  std::string text = why + (ids.size() == 1 ? ": aspect " : ": aspects ");
+  for (std::size_t i = 0; i < std::min(ids.size(), most_missing); ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(ids[i]);
+  if (ids.size() > most_missing) text += " and " + std::to_string(ids.size() - most_missing) + " more";
+  return text + ".";
 }
 
 Picture draw_page(const Page& page) { return PageDrawing(page).draw(); }

@@ -27,6 +27,9 @@ std::string aspect_words(const AspectMap& map, const Aspect& aspect);
 std::vector<LegendEntry> aspect_entries(const AspectMap& map, const std::vector<Rgb>& colors,
                                         const std::set<int>& ids);
 
+/// Why aspects are not drawn, and which: the first of them, and how many more there are.
+std::string missing_aspects(const std::vector<int>& ids, const std::string& why);
+
 /// Panels that belong together, in a row.
 struct PageFigure {
   std::string title;

@@ -24,6 +24,13 @@ Eigen::AlignedBox2d box_around(const PagePoint& middle, const std::string& text,
   return {middle - half, middle + half};
 }
 
+/// Where the line from the middle of a box to a point leaves it, before which it would run into the text.
+PagePoint leaving(const Eigen::AlignedBox2d& box, const PagePoint& point) {
+  const PagePoint away = point - box.center(), half = 0.5 * box.sizes();
+  const double reach = std::max(std::abs(away.x()) / half.x(), std::abs(away.y()) / half.y());
+  return reach <= 1.0 ? point : PagePoint(box.center() + away / reach);
+}
+
 PageText text_around(const PagePoint& middle, const std::string& text, double size, Rgb color) {
   return {middle + PagePoint(0.0, 0.5 * height_of(size)), Anchor::middle, size, text, color};
 }
@@ -51,9 +58,11 @@ void PanelLabels::add(const std::string& text, const LabelPoint& point, Rgb back
     for (int k = 0; k < directions; ++k) {
       const double angle = full_turn * (k + 0.5) / directions;
       const PagePoint at = point.at + radius * PagePoint(std::cos(angle), std::sin(angle));
-      if (!take(box_around(at, text, id_size))) continue;
-      picture.elements.emplace_back(PageCurves{{{at, point.at}}, 0xFFFFFF, 2.6, false, ""});
-      picture.elements.emplace_back(PageCurves{{{at, point.at}}, ink_color, 0.8, false, ""});
+      const Eigen::AlignedBox2d beside = box_around(at, text, id_size);
+      if (!take(beside)) continue;
+      const PageLine leader{leaving(beside, point.at), point.at};
+      picture.elements.emplace_back(PageCurves{{leader}, 0xFFFFFF, 2.6, false, ""});
+      picture.elements.emplace_back(PageCurves{{leader}, ink_color, 0.8, false, ""});
       PageText written = text_around(at, text, id_size, ink_color);
       written.bold = true;
       written.halo = 0xFFFFFF;

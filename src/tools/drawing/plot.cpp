@@ -47,6 +47,8 @@ class PlanePlot {
     if (options_.leaves) take_leaves(mode);
     std::set<int> ids;
     for (const BoundarySliver& sliver : traced_.slivers) ids.insert(sliver.aspect);
+    for (const Aspect& each : map_->aspects())
+      if (each.mode == mode && ids.count(each.id) == 0) missing_.push_back(each.id);
     if (options_.each_aspect)
       for (const int id : ids)
         add_figure("aspect " + std::to_string(id) + ", working mode " + to_string(mode), mode, {id});
@@ -55,6 +57,7 @@ class PlanePlot {
   }
 
   const std::set<BoundaryKind>& kinds() const { return kinds_; }
+  const std::vector<int>& missing() const { return missing_; }
   bool has_joint_space() const { return projection_.has_value(); }
 
  private:
@@ -139,6 +142,7 @@ class PlanePlot {
   BoundaryPicture traced_;
   std::vector<std::vector<Eigen::Vector2d>> undecided_;
   std::set<BoundaryKind> kinds_;
+  std::vector<int> missing_;  // aspects of these modes without a piece
 };
 
 std::string where(const AspectMap& map, const PlotPlane& plane, const PlotOptions& options) {
@@ -160,6 +164,12 @@ std::string what_is_proved(const PlotOptions& options, bool has_joint_space) {
         " The joint space shows the same pieces, carried there by the inverse kinematics of the working "
         "mode.";
   return text;
+}
+
+std::string why_missing(const PlotOptions& options) {
+  if (options.leaves) return "Without a box that is proved to lie in them, and not drawn";
+  return options.section ? "Not met by the section, or in less than a cell of that grid, and not drawn"
+                         : "Smaller than a cell of that grid, and not drawn";
 }
 
 std::vector<LegendEntry> legend(const std::set<BoundaryKind>& kinds, const PlotOptions& options) {
@@ -194,6 +204,7 @@ Picture draw_plot(const std::shared_ptr<const AspectMap>& map, const PlotOptions
     checkpoint();
     plot.add_mode(mode);
   }
+  if (!plot.missing().empty()) page.notes.push_back(missing_aspects(plot.missing(), why_missing(options)));
   page.legend = legend(plot.kinds(), options);
   return draw_page(page);
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <string>
@@ -87,6 +88,12 @@ std::set<int> aspects_of(const AspectMap& map, const WorkingMode& mode) {
   return ids;
 }
 
+std::set<int> seen_in(const PanelContents& panel) {
+  std::set<int> ids;
+  for (const ImageLabel& label : panel.image_labels) ids.insert(std::stoi(label.text));
+  return ids;
+}
+
 }  // namespace
 
 void add_solids(const AspectMap& map, const std::vector<WorkingMode>& modes,
@@ -106,6 +113,7 @@ void add_solids(const AspectMap& map, const std::vector<WorkingMode>& modes,
     page.notes.emplace_back(
         "Orientations as rotation vectors, in a ball of radius pi; opposite points of its surface are the "
         "same.");
+  std::vector<int> hidden;
   for (const WorkingMode& mode : modes) {
     const std::set<int> ids = aspects_of(map, mode);
     SurfaceImage image(eye);
@@ -119,7 +127,12 @@ void add_solids(const AspectMap& map, const std::vector<WorkingMode>& modes,
     panel.image_axes = axes_of(box, eye);
     page.figures.push_back(
         {"working mode " + to_string(mode), aspect_entries(map, colors, ids), {std::move(panel)}});
+    const std::set<int> seen = seen_in(page.figures.back().panels.front());
+    std::set_difference(ids.begin(), ids.end(), seen.begin(), seen.end(), std::back_inserter(hidden));
   }
+  if (!hidden.empty())
+    page.notes.push_back(missing_aspects(
+        hidden, "Cut away, behind others or smaller than a point of the picture, and not seen"));
   page.legend = {{aspect_color(1, 0), false, "light: det A > 0"},
                  {aspect_color(-1, 0), false, "dark: det A < 0"}};
 }

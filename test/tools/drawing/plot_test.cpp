@@ -3,15 +3,18 @@
 
 #include "parallel_aspects/kinematics/inverse.h"
 #include "tools/drawing/outlines.h"
+#include "tools/drawing/page.h"
 
 #include <gtest/gtest.h>
 
 #include "support/robots/shipped.h"
+#include "support/slices.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <png.h>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -326,6 +329,62 @@ TEST(Plot, BodiesOfThreeCoordinatesAreSeen) {
   EXPECT_GT(points.size() - white, points.size() / 20);
   EXPECT_GT(white, points.size() / 10);
   EXPECT_EQ(as_svg(picture).find("<image"), as_svg(picture).rfind("<image"));
+}
+
+std::string all_text(const Picture& picture) {
+  std::string all;
+  for (const PageElement& element : picture.elements)
+    if (const auto* text = std::get_if<PageText>(&element)) all += text->text + " ";
+  return all;
+}
+
+// One of this slice is smaller than a cell of the grid.
+TEST(Plot, AspectsThatAreNotDrawnAreNamed) {
+  const auto robot = test::shipped("three_rrr")->mapped_manipulator();
+  MapOptions map_options;
+  map_options.slice = test::slice_of(robot, {{"phi", 0.0}});
+  const Map map = compute_aspect_map(robot, map_options).map;
+  ASSERT_TRUE(map);
+  const Picture picture = draw_plot(map, {});
+  std::set<int> drawn;
+  for (const DrawnPanel& panel : panels_of(picture))
+    for (const PageArea& area : panel.areas) drawn.insert(id_of(area));
+  std::vector<int> missing;
+  for (const Aspect& aspect : map->aspects())
+    if (drawn.count(aspect.id) == 0) missing.push_back(aspect.id);
+  ASSERT_FALSE(missing.empty());
+  EXPECT_NE(
+      all_text(picture).find(missing_aspects(missing, "Smaller than a cell of that grid, and not drawn")),
+      std::string::npos);
+  EXPECT_EQ(all_text(draw_plot(five_bar(), {})).find("not drawn"), std::string::npos);
+}
+
+TEST(Plot, MissingAspectsAreCountedWhereTheyAreMany) {
+  EXPECT_EQ(missing_aspects({4}, "Not seen"), "Not seen: aspect 4.");
+  EXPECT_EQ(missing_aspects({4, 7}, "Not seen"), "Not seen: aspects 4, 7.");
+  EXPECT_EQ(missing_aspects({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14}, "Not seen"),
+            "Not seen: aspects 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12 and 2 more.");
+}
+
+// Images have a white ground.
+TEST(Plot, ImagesCoverNoText) {
+  const Map map = map_of("linear_delta", 0.05);
+  ASSERT_TRUE(map);
+  std::vector<PageText> before;
+  int images = 0;
+  for (const PageElement& element : draw_plot(map, {}).elements) {
+    if (const auto* text = std::get_if<PageText>(&element)) before.push_back(*text);
+    const auto* image = std::get_if<PageImage>(&element);
+    if (image == nullptr) continue;
+    ++images;
+    const Eigen::AlignedBox2d covered(image->corner, PagePoint(image->corner + image->size));
+    for (const PageText& text : before) {
+      Eigen::AlignedBox2d box = box_of(text);
+      box.extend(PagePoint(box.max() + PagePoint(0.0, 0.25 * text.size)));  // what hangs below its base line
+      EXPECT_TRUE(box.intersection(covered).isEmpty()) << text.text;
+    }
+  }
+  EXPECT_GT(images, 1);
 }
 
 TEST(Plot, EndsWhereTheCheckpointThrows) {
