@@ -7,6 +7,7 @@
 #include "parallel_aspects/kinematics/working_mode.h"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ constexpr unsigned trial_seed = 5;
 constexpr int trials = 60;
 // Over the size; roundings grow away from the assembled configuration.
 constexpr double trial_tolerance = 1e-3;
-constexpr double exact_closure = 1e-11;  // over the size
+constexpr double exact_closure = 1e-11;  // over the size, and rad
 
 void scale_translations(const Manipulator& manipulator, TaskVector& step) {
   const auto angles = static_cast<Eigen::Index>(rotational_degrees_of_freedom(manipulator.task_space()));
@@ -41,6 +42,22 @@ std::string open_at(const Manipulator& manipulator, const Pose& pose, double gap
          " m; its legs do more than keep a distance, which is not supported.";
 }
 
+// Three digits that bound the value.
+std::string bound_text(double value) {
+  if (!(value > 0.0)) return "0";
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+  return number_text(std::ceil(value / unit * (1.0 - 1e-12)) * unit, 3);
+}
+
+std::string open_by_rounding(const LoopGap& widest, double size, const SourceNames& files) {
+  std::string gaps;
+  if (widest.distance > exact_closure * size) gaps = bound_text(widest.distance) + " m";
+  if (widest.angle > exact_closure || gaps.empty())
+    gaps += (gaps.empty() ? "" : " and ") + bound_text(widest.angle) + " rad";
+  return files.urdf + " closes its loops only to within " + gaps +
+         ", as with rounded angles; the robot is taken as the ideal one nearest to it.";
+}
+
 }  // namespace
 
 void close_trial_poses(Mechanism::Contents& contents, const SourceNames& files, Problems& problems) {
@@ -49,22 +66,25 @@ void close_trial_poses(Mechanism::Contents& contents, const SourceNames& files, 
   const double size = completion.system().size();
   const std::vector<WorkingMode> modes = working_modes(manipulator);
   std::mt19937 random(trial_seed);
-  double worst = completion.residual(
-      completion.joint_values(completion.reference_pose(), completion.reference_joints()));
+  const Eigen::VectorXd assembled =
+      completion.joint_values(completion.reference_pose(), completion.reference_joints());
+  double worst = completion.residual(assembled);
+  LoopGap widest = completion.system().widest_gaps(assembled);
   for (int trial = 0; trial < trials; ++trial) {
     const Pose pose = trial_pose(contents, static_cast<double>(trial) / trials, random);
     const InverseSolution solution = inverse(manipulator, pose, modes[random() % modes.size()]);
     if (solution.status == InverseStatus::out_of_reach) continue;
-    const double residual = completion.residual(completion.joint_values(pose, solution.q));
+    const Eigen::VectorXd values = completion.joint_values(pose, solution.q);
+    const double residual = completion.residual(values);
     worst = std::max(worst, residual);
+    widest = widest.with(completion.system().widest_gaps(values));
     if (residual < trial_tolerance) continue;
     problems.push_back(open_at(manipulator, pose, residual * size, files));
     return;
   }
   if (worst < exact_closure) return;
   contents.accepted_residual = 3.0 * worst;
-  contents.notes.push_back(files.urdf + " closes its loops only to within " + number_text(worst * size, 3) +
-                           " m, as with rounded angles; the robot is taken as the ideal one nearest to it.");
+  contents.notes.push_back(open_by_rounding(widest, size, files));
 }
 
 }  // namespace parallel_aspects

@@ -2,6 +2,7 @@
 #include "urdf/description/closure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace parallel_aspects {
@@ -64,6 +65,12 @@ Orientation orientation(ClosureType type, const Eigen::Matrix3d& a, const Eigen:
     result.direction.row(row) = own.cross(other).transpose();
   }
   return result;
+}
+
+// Errors of axes are sines of angles.
+double angle_apart(ClosureType type, const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  const double error = orientation(type, a, b).error.norm();
+  return type == ClosureType::fixed ? error : std::asin(std::min(error, 1.0));
 }
 
 Eigen::Isometry3d placed(const Poses& poses, const LinkFrame& frame) {
@@ -171,6 +178,21 @@ Eigen::MatrixXd ClosureSystem::jacobian(const Eigen::VectorXd& values) const {
     row += 3 + turned.error.size();
   }
   return result;
+}
+
+LoopGap LoopGap::with(const LoopGap& other) const noexcept {
+  return {std::max(distance, other.distance), std::max(angle, other.angle)};
+}
+
+LoopGap ClosureSystem::widest_gaps(const Eigen::VectorXd& values) const {
+  const Poses poses = link_poses(*tree_, base_, values, joints_);
+  LoopGap widest;
+  for (const Closure& closure : closures_) {
+    const Eigen::Isometry3d a = placed(poses, closure.frames[0]), b = placed(poses, closure.frames[1]);
+    widest = widest.with(
+        {(a.translation() - b.translation()).norm(), angle_apart(closure.type, a.linear(), b.linear())});
+  }
+  return widest;
 }
 
 std::pair<double, std::size_t> ClosureSystem::widest_gap(const Eigen::VectorXd& values) const {

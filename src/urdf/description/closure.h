@@ -59,6 +59,15 @@ struct Closure {
 /// Where the tree has the first frames of closures that are given at zero.
 void place_at_zero(const Tree& tree, std::vector<Closure>& closures);
 
+/// What two frames lack of being held together.
+struct LoopGap {
+  double distance = 0.0;  ///< of their origins [m]
+  double angle = 0.0;     ///< of what the closure holds of their directions [rad]
+
+  /// The larger of each.
+  LoopGap with(const LoopGap& other) const noexcept;
+};
+
 /// The equations of all closures, in the frame of the base.
 class ClosureSystem {
  public:
@@ -77,6 +86,9 @@ class ClosureSystem {
 
   /// Derivative of the residual by the joint values [m/rad or 1].
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& values) const;
+
+  /// How far the closures are from closing: the most of all of them.
+  LoopGap widest_gaps(const Eigen::VectorXd& values) const;
 
   /// Largest distance between the two origins of a closure, and which closure that is.
   std::pair<double, std::size_t> widest_gap(const Eigen::VectorXd& values) const;
