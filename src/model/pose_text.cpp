@@ -3,6 +3,9 @@
 
 #include "model/number_text.h"
 
+#include <locale>
+#include <sstream>
+
 namespace parallel_aspects {
 
 std::string pose_numbers(TaskSpace space, const Pose& pose, int digits) {
@@ -11,6 +14,15 @@ std::string pose_numbers(TaskSpace space, const Pose& pose, int digits) {
   for (Eigen::Index k = 0; k < coordinates.size(); ++k)
     text += (k == 0 ? "" : " ") + number_text(without_noise(coordinates[k]), digits);
   return text;
+}
+
+std::optional<Pose> as_typed(TaskSpace space, const Pose& pose, int digits) {
+  std::istringstream text(pose_numbers(space, pose, digits));
+  text.imbue(std::locale::classic());
+  PoseCoordinates coordinates = pose_coordinates(space, pose);
+  for (Eigen::Index k = 0; k < coordinates.size(); ++k)
+    if (!(text >> coordinates[k])) return std::nullopt;
+  return pose_from_coordinates(space, coordinates);
 }
 
 }  // namespace parallel_aspects

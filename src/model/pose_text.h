@@ -6,6 +6,7 @@
 #include "parallel_aspects/model/task_space.h"
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace parallel_aspects {
@@ -22,6 +23,9 @@ inline constexpr int pose_digits = 10;
 
 /// The coordinates of a pose as questions take them, "4.5 8", with at most so many significant digits.
 std::string pose_numbers(TaskSpace space, const Pose& pose, int digits = 6);
+
+/// The pose that these numbers say when they are typed; nothing where `pose` is not finite.
+std::optional<Pose> as_typed(TaskSpace space, const Pose& pose, int digits);
 
 }  // namespace parallel_aspects
 

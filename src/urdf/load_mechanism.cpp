@@ -11,6 +11,7 @@
 #include "urdf/culprits/shared_frames.h"
 #include "urdf/description/yaml_document.h"
 #include "urdf/end_notes.h"
+#include "urdf/home_configuration.h"
 #include "urdf/load_search.h"
 #include "urdf/mechanism_contents.h"
 #include "urdf/mechanism_recognition.h"
@@ -205,6 +206,7 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   Problems of_constraints;
   add_stated_constraints(config.constraints, config.symmetrize, files, *contents, of_constraints);
   if (!of_constraints.empty()) throw InvalidDescription(of_constraints);
+  find_home(config, files, *contents);
   take_tolerance(config.tolerance, files, *contents);
   if (search.looks_for_remedies)
     if (const auto note = note_on_symmetry(*contents, config, files)) contents->notes.push_back(*note);

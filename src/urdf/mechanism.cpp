@@ -6,6 +6,7 @@
 #include "urdf/description/text_file.h"
 #include "urdf/mechanism_contents.h"
 
+#include <cmath>
 #include <utility>
 
 namespace parallel_aspects {
@@ -79,24 +80,38 @@ AssembledConfiguration Mechanism::assembled() const {
   return {contents_->completion.reference_pose(), contents_->completion.reference_joints()};
 }
 
+AssembledConfiguration Mechanism::home() const { return contents_->home.value_or(assembled()); }
+
 std::optional<std::size_t> Mechanism::joint_outside_limits(
     const Eigen::Ref<const Eigen::VectorXd>& positions) const noexcept {
-  const auto& limits = contents_->joint_limits;
-  for (std::size_t k = 0; k < limits.size() && static_cast<Eigen::Index>(k) < positions.size(); ++k) {
-    const double value = positions[static_cast<Eigen::Index>(k)];
-    if (!(value >= limits[k].lower - limit_tolerance && value <= limits[k].upper + limit_tolerance)) return k;
-  }
-  return std::nullopt;
+  return contents_->joint_outside_limits(positions);
 }
 
 bool Mechanism::complete(const Pose& pose, const JointVector& q,
                          Eigen::Ref<Eigen::VectorXd> positions) const noexcept {
-  if (positions.size() != contents_->completion.system().tree().variables()) return false;
-  if (q.size() != static_cast<Eigen::Index>(contents_->manipulator->leg_count())) return false;
-  const Eigen::VectorXd values = contents_->completion.joint_values(pose, q);
+  return contents_->complete(pose, q, positions);
+}
+
+std::optional<std::size_t> Mechanism::Contents::joint_outside_limits(
+    const Eigen::Ref<const Eigen::VectorXd>& positions) const noexcept {
+  const Tree& tree = completion.system().tree();
+  for (std::size_t k = 0; k < joint_limits.size() && static_cast<Eigen::Index>(k) < positions.size(); ++k) {
+    const double value = positions[static_cast<Eigen::Index>(k)];
+    if (std::isfinite(value) && turns_freely(tree.joint_of(k))) continue;
+    if (!(value >= joint_limits[k].lower - limit_tolerance &&
+          value <= joint_limits[k].upper + limit_tolerance))
+      return k;
+  }
+  return std::nullopt;
+}
+
+bool Mechanism::Contents::complete(const Pose& pose, const JointVector& q,
+                                   Eigen::Ref<Eigen::VectorXd> positions) const noexcept {
+  if (positions.size() != completion.system().tree().variables()) return false;
+  if (q.size() != static_cast<Eigen::Index>(manipulator->leg_count())) return false;
+  const Eigen::VectorXd values = completion.joint_values(pose, q);
   if (!values.allFinite()) return false;
-  if (!(contents_->completion.residual(values) < completion_tolerance + contents_->accepted_residual))
-    return false;
+  if (!(completion.residual(values) < completion_tolerance + accepted_residual)) return false;
   positions = values;
   return true;
 }

@@ -8,6 +8,7 @@
 #include "urdf/recognition/completion.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,13 @@ struct Mechanism::Contents {
   int idle_degrees_of_freedom = 0;
   double accepted_residual = 0.0;  ///< what rounding in the description costs, over the size of the robot
   Completion completion;
-  bool point_platform = false;  ///< see `PlatformMotion`
-  SymmetricLegs symmetric{};    ///< by `mechanism.symmetrize`: the motions; the legs are the manipulator's
+  bool point_platform = false;                   ///< see `PlatformMotion`
+  SymmetricLegs symmetric{};                     ///< by `mechanism.symmetrize` or in decimals: the motions
+  std::optional<AssembledConfiguration> home{};  ///< see `Mechanism::home`
+
+  std::optional<std::size_t> joint_outside_limits(
+      const Eigen::Ref<const Eigen::VectorXd>& positions) const noexcept;
+  bool complete(const Pose& pose, const JointVector& q, Eigen::Ref<Eigen::VectorXd> positions) const noexcept;
 };
 
 }  // namespace parallel_aspects

@@ -75,13 +75,18 @@ class Mechanism {
   /// The configuration, inside the joint limits, that the mechanism was recognised in.
   AssembledConfiguration assembled() const;
 
+  /// Where the robot is shown, all of its joints inside their limits where that is possible: the pose that
+  /// the YAML states as `start/pose`, or else that of `assembled()`; near it where it touches a limit.
+  AssembledConfiguration home() const;
+
   /// Values of all `joint_names()` that close every loop at this configuration [rad or m]. False, with
   /// `positions` untouched, where the loops do not close. `positions` must have as many entries as there are
   /// names. Whether the values are within limits is another question: see `joint_outside_limits`.
   bool complete(const Pose& pose, const JointVector& q, Eigen::Ref<Eigen::VectorXd> positions) const noexcept;
 
   /// The first of `joint_names()`, actuated or passive, whose value in `positions` is outside its limits by
-  /// more than 1e-9 rad or m; nothing when all are inside. A value that is not a number is outside.
+  /// more than 1e-9 rad or m; nothing when all are inside. Limits that lack less than 1e-5 rad of a full turn
+  /// hold modulo a turn. A value that is not a number is outside.
   std::optional<std::size_t> joint_outside_limits(
       const Eigen::Ref<const Eigen::VectorXd>& positions) const noexcept;
 

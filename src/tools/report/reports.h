@@ -47,9 +47,6 @@ Report report_roadmap(const PoseRoadmap& roadmap, bool verbose = false);
 /// in its notes.
 Report report_mechanism(const Mechanism& mechanism, bool verbose = false);
 
-/// Where the workspace is: what is within reach of all legs, as found at seeded random poses and at `home`.
-std::string workspace_text(const std::shared_ptr<const Manipulator>& manipulator, const Pose& home);
-
 /// `aspects ik`: the inverse solutions at `pose`, one a working mode, solved or not.
 Report report_inverse(const Mechanism& mechanism, const Pose& pose,
                       const std::vector<InverseSolution>& solutions);

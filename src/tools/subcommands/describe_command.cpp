@@ -7,6 +7,8 @@
 #include "tools/report/cones_report.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
+#include "tools/robot_report/home_report.h"
+#include "tools/robot_report/reach_report.h"
 #include "tools/subcommands.h"
 
 #include <variant>
@@ -103,7 +105,7 @@ json json_parameters(const Manipulator& manipulator) {
   return object;
 }
 
-json json_mechanism(const Mechanism& mechanism) {
+json json_mechanism(const Mechanism& mechanism, const json& reach) {
   const Manipulator& manipulator = *mechanism.manipulator();
   json legs = json::array();
   for (const Leg& leg : manipulator.legs()) legs.push_back(json_leg(leg));
@@ -116,6 +118,8 @@ json json_mechanism(const Mechanism& mechanism) {
           {"platform_link", mechanism.platform_link()},
           {"size", manipulator.size()},
           {"legs", legs},
+          {"home", report_home(mechanism).json},
+          {"workspace", reach},
           {"joints", mechanism.joint_names()},
           {"joint_limits", json_joint_limits(mechanism)},
           {"cones", report_cones(manipulator, true).json},
@@ -194,26 +198,12 @@ std::string frame_text(const Manipulator& manipulator) {
          point_text(axes.col(1)) + "\n";
 }
 
-// As `--pose` and `--joints` take it.
-std::string home_text(const Mechanism& mechanism) {
-  const TaskSpace space = mechanism.manipulator()->task_space();
-  const AssembledConfiguration home = mechanism.assembled();
-  std::string named;
-  const PoseCoordinates coordinates = pose_coordinates(space, home.pose).unaryExpr(&without_noise);
-  for (Eigen::Index k = 0; k < coordinates.size(); ++k)
-    named += (k == 0 ? "" : ", ") + coordinate_names(space)[static_cast<std::size_t>(k)] + ' ' +
-             shown(coordinates[k]);
-  const TaskVector q = home.q.unaryExpr(&without_noise);
-  return "home pose: " + named + " (--pose \"" + pose_numbers(space, home.pose) +
-         "\"), at the joint values " + shown(q) + "\n";
-}
-
 // Those in force, and what the home pose lacks of them.
 std::string margins_text(const Mechanism& mechanism) {
   const Manipulator& manipulator = *mechanism.manipulator();
   const std::string margins = to_string(manipulator.constraints().margins);
   if (margins.empty()) return "";
-  const AssembledConfiguration home = mechanism.assembled();
+  const AssembledConfiguration home = mechanism.home();
   const std::string missed = missed_margins(manipulator, home.pose, home.q);
   return "margins from singularities: " + margins + (missed.empty() ? "" : "; at the home pose " + missed) +
          "\n";
@@ -223,7 +213,7 @@ std::string size_text(const Manipulator& manipulator) {
   return moves_on_unit_sphere(manipulator) ? "" : ", size " + shown(manipulator.size()) + " m";
 }
 
-std::string mechanism_text(const Mechanism& mechanism, bool verbose) {
+std::string mechanism_text(const Mechanism& mechanism, const std::string& reach, bool verbose) {
   const Manipulator& manipulator = *mechanism.manipulator();
   const TaskSpace space = manipulator.task_space();
   std::string text = manipulator.name() + ": fully parallel, task space " + std::string(name(space)) +
@@ -231,8 +221,7 @@ std::string mechanism_text(const Mechanism& mechanism, bool verbose) {
                      counted(manipulator.leg_count(), "leg") + "\n";
   text += "base link " + manipulator.base_frame() + ", operational point at the origin of " +
           mechanism.platform_link() + size_text(manipulator) + "\n";
-  text += frame_text(manipulator) + home_text(mechanism) +
-          workspace_text(mechanism.manipulator(), mechanism.assembled().pose) + "\n";
+  text += frame_text(manipulator) + report_home(mechanism).text + reach + "\n";
   text += leg_table(manipulator);
   text += "\nworking modes, as signs of B_jj:" + modes_text(manipulator) + "\n";
   text += joints_text(mechanism) + margins_text(mechanism) + report_cones(manipulator, verbose).text;
@@ -242,7 +231,8 @@ std::string mechanism_text(const Mechanism& mechanism, bool verbose) {
 }  // namespace
 
 Report report_mechanism(const Mechanism& mechanism, bool verbose) {
-  return {json_mechanism(mechanism), mechanism_text(mechanism, verbose)};
+  const Report reach = report_reach(mechanism);
+  return {json_mechanism(mechanism, reach.json), mechanism_text(mechanism, reach.text, verbose)};
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include "urdf/closing/platform_freedom.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -32,10 +33,25 @@ double largest(const Eigen::VectorXd& vector) {
   return vector.size() > 0 ? vector.lpNorm<Eigen::Infinity>() : 0.0;
 }
 
+// Where a joint that turns all the way round has its limits makes no difference.
 void clamp_to_limits(const Tree& tree, Eigen::VectorXd& values) {
   for (std::size_t k = 0; k < tree.movable.size(); ++k) {
+    if (turns_freely(tree.joint_of(k))) continue;
     double& value = values[static_cast<Eigen::Index>(k)];
     value = std::clamp(value, tree.joint_of(k).limits.lower, tree.joint_of(k).limits.upper);
+  }
+}
+
+// Of joints that turn all the way round: by whole turns.
+void turn_into_limits(const Tree& tree, Eigen::VectorXd& values) {
+  for (std::size_t k = 0; k < tree.movable.size(); ++k) {
+    const JointLimits& limits = tree.joint_of(k).limits;
+    double& value = values[static_cast<Eigen::Index>(k)];
+    if (!turns_freely(tree.joint_of(k)) || limits.contain(value) || !limits.limited()) continue;
+    const double middle = !std::isfinite(limits.upper)   ? limits.lower + EIGEN_PI
+                          : !std::isfinite(limits.lower) ? limits.upper - EIGEN_PI
+                                                         : 0.5 * (limits.lower + limits.upper);
+    value = middle + std::remainder(value - middle, 2.0 * EIGEN_PI);
   }
 }
 
@@ -170,7 +186,8 @@ std::size_t passive_joints_at_limits(const ClosureSystem& system, const Assembly
     const double unit = system.tree().joint_of(k).motion == JointMotion::prismatic ? system.size() : 1.0;
     const bool driven = std::find(actuated_joints.begin(), actuated_joints.end(), k) != actuated_joints.end();
     const bool is_still = assembly.motions.row(row).norm() < velocity_tolerance * unit;
-    if (system.in_loop()[k] && !driven && !is_still && limits.lower < limits.upper)
+    if (system.in_loop()[k] && !driven && !is_still && limits.lower < limits.upper &&
+        !turns_freely(system.tree().joint_of(k)))
       count += std::min(value - limits.lower, limits.upper - value) < closing_tolerance;
   }
   return count;
@@ -216,9 +233,10 @@ class Assembler {
     const auto is_wanting = [this] {
       return moving_ < wanted_assemblies || good_ == 0 || best_->turned_over > 0;
     };
-    for (int trial = 0; trial <= random_starts && is_wanting(); ++trial)
-      try_from(trial == 0 ? Eigen::VectorXd::Zero(system_.tree().variables())
-                          : random_start(system_, random_));
+    try_from(Eigen::VectorXd::Zero(system_.tree().variables()));
+    if (best_ && best_->at_limits > 0) try_from(inside_limits(best_->assembly.values));
+    for (int trial = 0; trial < random_starts && is_wanting(); ++trial)
+      try_from(random_start(system_, random_));
     const int most = good_ > 0 ? starts_beside_good : starts_beside;
     for (int trial = 0; trial < most && is_poor(); ++trial) try_from(beside_best());
     if (best_) move_inside();
@@ -231,7 +249,8 @@ class Assembler {
   bool is_poor() const { return best_ && best_->joints_move() && !best_->is_usable(actuated_joints_.size()); }
 
   void try_from(const Eigen::VectorXd& start) {
-    const Eigen::VectorXd values = close_loops(system_, start, none_held_);
+    Eigen::VectorXd values = close_loops(system_, start, none_held_);
+    turn_into_limits(system_.tree(), values);
     const double error = largest(system_.residual(values));
     if (error < least_) result_.closest = values;
     least_ = std::min(least_, error);
@@ -252,7 +271,8 @@ class Assembler {
       value = inside_limits(joint, value);
     }
     if (held == none_held_) return;
-    const Eigen::VectorXd values = close_loops(system_, start, held);
+    Eigen::VectorXd values = close_loops(system_, start, held);
+    turn_into_limits(system_.tree(), values);
     if (!(largest(system_.residual(values)) < closing_tolerance * system_.size())) return;
     const Candidate moved = judged(values);
     if (!is_better(*best_, moved) || serves_as_well(moved)) best_ = moved;
@@ -269,6 +289,15 @@ class Assembler {
       const double value = values[static_cast<Eigen::Index>(joint)];
       return inside_limits(joint, value) != value;
     });
+  }
+
+  // Of joints in the loops that stand on a limit, as those that are drawn there.
+  Eigen::VectorXd inside_limits(Eigen::VectorXd values) const {
+    for (std::size_t joint = 0; joint < system_.in_loop().size(); ++joint) {
+      double& value = values[static_cast<Eigen::Index>(joint)];
+      if (system_.in_loop()[joint]) value = inside_limits(joint, value);
+    }
+    return values;
   }
 
   double inside_limits(std::size_t joint, double value) const {

@@ -90,6 +90,7 @@ class MechanismReader {
       problem(
           "has mechanism.closures and mechanism.added_closures; write all under closures, or leave out "
           "closures, to add some to those that the URDF describes.");
+    read_start(root["start"], config);
     config.constraints = read_constraints_config(root["constraints"], file_, problems_);
     return config;
   }
@@ -116,6 +117,14 @@ class MechanismReader {
           "the "
           "platform.");
     if (node.IsDefined()) read_frame(yaml_, node, "mechanism.operational_point", config.operational_point);
+  }
+
+  // The section is the node's, which says what is wrong with it.
+  static void read_start(const YAML::Node& start, MechanismConfig& config) {
+    if (!start.IsDefined() || !start.IsMap() || !start["pose"].IsDefined()) return;
+    Problems unused;
+    const std::string file;
+    YamlValues(file, unused).numbers(start["pose"], "start.pose", config.start);
   }
 
   void read_actuated_joints(const YAML::Node& node, MechanismConfig& config) {

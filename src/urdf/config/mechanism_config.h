@@ -36,6 +36,7 @@ struct MechanismConfig {
   ConstraintsConfig constraints;
   std::optional<double> symmetrize;  ///< tolerance, in sizes of the robot and rad; none: off
   double tolerance = 0.0;            ///< of the robot as it is built, in sizes of it
+  std::vector<double> start;         ///< start.pose, as far as it is a list of numbers; the node checks it
 };
 
 /// Reads it from the text of the whole file; other top-level keys are for the node. What is wrong is added to

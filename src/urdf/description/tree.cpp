@@ -8,8 +8,9 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double rounding = 1e-12;  // of sums of distances, as a share
-constexpr double one_point = 1e-5;  // [m] that CAD leaves between frames which are in one point
+constexpr double rounding = 1e-12;      // of sums of distances, as a share
+constexpr double turn_rounding = 1e-5;  // [rad], as of 6.28318
+constexpr double one_point = 1e-5;      // [m] that CAD leaves between frames which are in one point
 
 Eigen::Isometry3d motion_of(const TreeJoint& joint, double value) {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
@@ -89,6 +90,11 @@ double mechanism_size(const Tree& tree, std::size_t base, const Poses& poses,
     if (bodies[link] != bodies[base]) points.push_back(poses[link].translation());
   const double size = spread(points);
   return size > one_point ? size : 1.0;
+}
+
+bool turns_freely(const TreeJoint& joint) noexcept {
+  return joint.motion == JointMotion::revolute &&
+         joint.limits.upper - joint.limits.lower > 2.0 * EIGEN_PI - turn_rounding;
 }
 
 bool has_child(const Tree& tree, std::size_t link) {

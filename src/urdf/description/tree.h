@@ -30,6 +30,10 @@ struct TreeJoint {
   std::optional<Eigen::Vector3d> wide_angles = std::nullopt;
 };
 
+/// Whether a joint turns all the way round: its limits, if any, lack no more of a full turn than rounding
+/// does, and hold modulo a turn.
+bool turns_freely(const TreeJoint& joint) noexcept;
+
 /// Links and joints of a URDF, as it says them: open where the mechanism is closed.
 struct Tree {
   std::string name;

@@ -150,7 +150,7 @@ class Setup {
         load_mechanism(subject_.urdf_text, subject_.urdf_name, result_.config, subject_.config_name);
     for (const Note& note : result_.mechanism->notes_in_pieces())
       if (note.has(Note::Piece::Kind::closures)) draft.closure_notes.push_back(note);
-    draft.home = result_.mechanism->assembled().pose;
+    draft.home = result_.mechanism->home().pose;
     result_.config = config_text(draft);
   }
 
