@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/open_choices.h"
 
+#include "model/number_text.h"
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/description/command_options.h"
@@ -95,6 +96,44 @@ std::string offsets(const std::vector<Closure>& closures, const Tree& tree, doub
   return text;
 }
 
+// What ends that are to meet may be apart, in sizes of the robot: more than rounding, less than a body is.
+constexpr double least_gap_of_ends = 1e-4, most_gap_of_ends = 0.02;
+
+// Whether a weld without a frame of its own holds a link that is there for it alone beside the origin that it
+// may be drawn for.
+bool holds_end_apart(const Closure& weld, const Tree& tree, double size) {
+  const std::size_t end = weld.frames[1].link;
+  const double gap = offset(weld).translation().norm() / size;
+  const auto joint = tree.joint_above[end];
+  return weld.weld == Weld::at_origins && gap > least_gap_of_ends && gap < most_gap_of_ends && joint &&
+         tree.joints[*joint].motion == JointMotion::fixed && !has_child(tree, end);
+}
+
+// "'b' and 'a' by 1.5 mm", for each of these.
+std::string gaps_of_ends(const std::vector<Closure>& welds, const Tree& tree, double size) {
+  std::string text;
+  for (const Closure& weld : welds)
+    if (holds_end_apart(weld, tree, size))
+      text += (text.empty() ? "'" : ", '") + tree.links[weld.frames[1].link] + "' and '" +
+              tree.links[weld.frames[0].link] + "' by " +
+              number_text(1e3 * offset(weld).translation().norm(), 3) + " mm";
+  return text;
+}
+
+// With the origins of these together, turned as they are.
+std::vector<Closure> with_ends_at_origins(std::vector<Closure> welds, const Tree& tree, double size) {
+  for (Closure& weld : welds) {
+    if (!holds_end_apart(weld, tree, size)) continue;
+    Eigen::Isometry3d first = offset(weld);
+    first.translation().setZero();
+    weld.frames[0].in_link = first;
+    weld.frames[1].in_link.setIdentity();
+    weld.at_zero.reset();
+    weld.weld = Weld::none;
+  }
+  return welds;
+}
+
 // Welds without a frame of their own, turned about the origin of that link which the tree has first, or last.
 // So it does not matter which of the two is called the parent.
 std::vector<Closure> turned_at(std::vector<Closure> closures, bool first) {
@@ -166,14 +205,36 @@ class OpenChoices {
   Contents find_welds(Problems& problems) const {
     const std::vector<Closure>& welds = resolved_.closures;
     const double size = ClosureSystem(tree_, resolved_.base, with_type(welds, ClosureType::fixed)).size();
+    const std::string apart = gaps_of_ends(welds, *tree_, size);
     const std::string held = offsets(welds, *tree_, size);
     const std::string where = held.empty() ? "" : ", with " + held;
     if (Contents contents = recognise(with_type(welds, ClosureType::fixed), problems)) {
       contents->notes.push_back("The rigid closures of " + files_.urdf +
-                                " are taken as fixed, as they are written" + where + ".");
+                                " are taken as fixed, as they are written" +
+                                (apart.empty() ? where + "." : note_of_gaps(welds, apart, size)));
       return contents;
     }
     return find_turning(size, where, problems);
+  }
+
+  // Where the robot is one with these ends together, too, that may be meant.
+  std::string note_of_gaps(const std::vector<Closure>& welds, const std::string& apart, double size) const {
+    const std::vector<Closure> meeting =
+        with_type(with_ends_at_origins(welds, *tree_, size), ClosureType::fixed);
+    Problems ignored;
+    std::vector<std::string> pairs;
+    for (const Closure& closure : meeting) {
+      const std::string one = written(closure.frames[0]), other = written(closure.frames[1]);
+      pairs.push_back(files_.as_options ? one + "=" + other
+                                        : "{frames: [" + one + ", " + other + "], type: fixed}");
+    }
+    const bool may_meet = recognise(meeting, ignored) != nullptr;
+    return ", which holds ends apart as they are drawn while all joints are zero: " + apart +
+           "; if they are to meet, " +
+           (may_meet ? "write " + files_.entry("closures", pairs) +
+                           (files_.as_options ? "" : " under mechanism in " + files_.config)
+                     : "correct the origins of their joints") +
+           ".";
   }
 
   Contents find_turning(double size, const std::string& where, Problems& problems) const {

@@ -175,6 +175,28 @@ TEST(Weld, StaysRigidWhereThatMakesAManipulator) {
       "-2, 0] m of 'half'.");
 }
 
+// Empty links at the ends of the legs, drawn some millimetres off the platform that they are welded to.
+TEST(Weld, TellsHowFarEndsAreApart) {
+  std::string welds;
+  for (int i = 2; i <= 6; ++i)
+    welds += "<gazebo><joint name=\"hold_" + std::to_string(i) +
+             "\" type=\"fixed\"><parent>plate</parent><child>weld_" + std::to_string(i) +
+             "</child></joint></gazebo>";
+  const auto mechanism = test::load(
+      replaced(test::source_file("test/data/described/open_hexapod.urdf"), "</robot>", welds + "</robot>"),
+      "mechanism: {operational_point: plate, actuated_joints: [strut_1, strut_2, strut_3, strut_4, "
+      "strut_5, strut_6]}");
+  const auto& notes = mechanism->notes();
+  const std::string words =
+      "The rigid closures of robot.urdf are taken as fixed, as they are written, which holds ends apart as "
+      "they are drawn while all joints are zero: 'weld_2' and 'plate' by 1.77 mm, 'weld_3' and 'plate' by "
+      "2.78 mm, 'weld_4' and 'plate' by 3.83 mm, 'weld_5' and 'plate' by 3.38 mm, 'weld_6' and 'plate' by "
+      "2.19 mm; if they are to meet, write closures: [{frames: [plate, weld_2], type: fixed}, {frames: "
+      "[plate, weld_3], type: fixed}, {frames: [plate, weld_4], type: fixed}, {frames: [plate, weld_5], "
+      "type: fixed}, {frames: [plate, weld_6], type: fixed}] under mechanism in robot.yaml.";
+  EXPECT_NE(std::find(notes.begin(), notes.end(), words), notes.end()) << ::testing::PrintToString(notes);
+}
+
 // A planar leg that is closed at zero: crank up 3 m, rod inwards to (x, y) of the base.
 std::string leg(const std::string& number, const std::string& base, const std::string& tip) {
   return "<link name=\"crank_" + number + "\"/><link name=\"rod_" + number + "\"/><link name=\"tip_" +
