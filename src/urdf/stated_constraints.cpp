@@ -115,11 +115,12 @@ void add_stated_constraints(const ConstraintsConfig& config, std::optional<doubl
   if (!config.strict_limits) full_turns.leave_out(mapped);
   try {
     contents.manipulator = std::make_shared<const Manipulator>(description);
-    if (symmetrize) {
-      Notes unused;  // what bounds maps is said
-      const double size = contents.manipulator->size();
-      symmetrize_constraints(description, contents.symmetric, size, *symmetrize, files, unused);
-      symmetrize_constraints(mapped, contents.symmetric, size, *symmetrize, files, contents.notes);
+    if (!contents.symmetric.motions.empty()) {
+      Notes unused;  // what bounds maps is said, and what rounding moves is not
+      const double size = contents.manipulator->size(), tolerance = symmetrize.value_or(rounding_of_decimals);
+      symmetrize_constraints(description, contents.symmetric, size, tolerance, files, unused);
+      symmetrize_constraints(mapped, contents.symmetric, size, tolerance, files,
+                             symmetrize ? contents.notes : unused);
       contents.manipulator = std::make_shared<const Manipulator>(description);
     }
   } catch (const InvalidDescription& invalid) {

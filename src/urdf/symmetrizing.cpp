@@ -74,20 +74,37 @@ bool bounds_no_map(const Leg& leg, const ConstraintsConfig& config) {
 }
 
 // Limits that bound no map are not compared.
-SymmetricLegs symmetric_legs(const Manipulator& robot, const MechanismConfig& config, double tolerance) {
+std::vector<Leg> legs_to_compare(const Manipulator& robot, const MechanismConfig& config) {
   std::vector<Leg> legs = robot.legs();
   for (Leg& leg : legs)
     if (bounds_no_map(leg, config.constraints)) leg.limits = {};
+  return legs;
+}
+
+SymmetricLegs symmetric_legs(const Manipulator& robot, const MechanismConfig& config, double tolerance) {
+  const std::vector<Leg> legs = legs_to_compare(robot, config);
   SymmetricLegs found = nearest_symmetric_legs(robot.task_space(), legs, robot.size(), tolerance);
   for (std::size_t j = 0; j < legs.size(); ++j)
     if (bounds_no_map(robot.leg(j), config.constraints)) found.legs[j].limits = robot.leg(j).limits;
   return found;
 }
 
+// Moves no more than the loader rounds anyway, so that it is not told.
+void keep_decimal_symmetry(Mechanism::Contents& contents, const MechanismConfig& config) {
+  const Manipulator& robot = *contents.manipulator;
+  SymmetricLegs found =
+      symmetric_in_decimals(robot.task_space(), legs_to_compare(robot, config), robot.size());
+  if (found.motions.empty()) return;
+  ManipulatorDescription description = robot.description();
+  for (std::size_t j = 0; j < found.legs.size(); ++j) description.legs[j].actuation = found.legs[j].actuation;
+  contents.manipulator = std::make_shared<const Manipulator>(std::move(description));
+  contents.symmetric = std::move(found);
+}
+
 }  // namespace
 
 void symmetrize_legs(Mechanism::Contents& contents, const MechanismConfig& config, const SourceNames& files) {
-  if (!config.symmetrize) return;
+  if (!config.symmetrize) return keep_decimal_symmetry(contents, config);
   const Manipulator& robot = *contents.manipulator;
   const TaskSpace space = robot.task_space();
   SymmetricLegs found = symmetric_legs(robot, config, *config.symmetrize);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Robots that CAD has rounded: nearly symmetric, and made so.
+#include "aspects/map/map_plan.h"
 #include "aspects/symmetry/robot_symmetry.h"
+#include "aspects/tree/exact_corners.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +12,7 @@
 #include <iomanip>
 #include <random>
 #include <regex>
+#include <set>
 #include <sstream>
 
 namespace parallel_aspects {
@@ -207,6 +210,64 @@ TEST(Symmetrize, ReachesCones) {
     EXPECT_NEAR(before[k].cone.angle, after[k].cone.angle, 1e-4);
     EXPECT_NEAR(after[k].cone.axis.norm(), 1.0, 1e-15);
   }
+}
+
+std::set<std::string> symmetries_of(const Manipulator& robot) {
+  MapPlan plan;
+  EXPECT_EQ(make_map_plan(robot, {}, plan), "");
+  const Box& region = plan.space->region();
+  for (std::size_t i = 0; i < region.dimension; ++i)
+    EXPECT_TRUE(has_exact_corners(region.lower[i], region.upper[i]));
+  std::set<std::string> result;
+  for (const MapSymmetry& symmetry : plan.symmetries) result.insert(symmetry.text);
+  return result;
+}
+
+// The middle of the base is no whole number of the steps that boxes are cut by.
+TEST(SymmetricInDecimals, IsSymmetricInTheMap) {
+  for (const std::string distance : {"0.25", "0.5", "0.1", "0.2", "0.3", "0.35", "0.7", "0.123457"}) {
+    SCOPED_TRACE(distance);
+    const auto mechanism =
+        test::load(replaced(test::source_file("test/data/described/mirrored_five_bar.urdf"), "0.3 0 0",
+                            distance + " 0 0"),
+                   test::source_file("test/data/described/mirrored_five_bar.yaml"));
+    const std::set<std::string> expected{"(" + distance + "-x, y)", "(x, -y)", "(" + distance + "-x, -y)"};
+    EXPECT_EQ(symmetries_of(*mechanism->mapped_manipulator()), expected);
+    EXPECT_NEAR(mechanism->manipulator()->leg(1).base_point().x(), std::stod(distance), 1e-14);
+    EXPECT_TRUE(mechanism->notes().empty());
+  }
+}
+
+TEST(SymmetricInDecimals, HoldsForAWorkspace) {
+  const std::string config = test::source_file("test/data/described/mirrored_five_bar.yaml");
+  const std::string workspace = "\nconstraints: {workspace: {lower: [-0.1, -0.35], upper: [";
+  for (const bool is_symmetric : {true, false}) {
+    const auto mechanism = test::load(test::source_file("test/data/described/mirrored_five_bar.urdf"),
+                                      config + workspace + (is_symmetric ? "0.4" : "0.41") + ", 0.35]}}\n");
+    EXPECT_EQ(symmetries_of(*mechanism->mapped_manipulator()).size(), is_symmetric ? 3U : 1U);
+  }
+}
+
+TEST(SymmetricInDecimals, CountsAsWithoutSymmetry) {
+  const auto mechanism = test::load(test::source_file("test/data/described/mirrored_five_bar.urdf"),
+                                    test::source_file("test/data/described/mirrored_five_bar.yaml"));
+  MapOptions options;
+  options.use_symmetry = false;
+  const MapResult all = compute_aspect_map(mechanism->mapped_manipulator(), options);
+  const MapResult some = compute_aspect_map(mechanism->mapped_manipulator());
+  ASSERT_EQ(all.status, MapStatus::complete);
+  ASSERT_EQ(some.status, MapStatus::complete);
+  EXPECT_EQ(all.map->region().lower, some.map->region().lower);
+  EXPECT_EQ(all.map->aspects().size(), some.map->aspects().size());
+}
+
+// A difference in the last digit that is written is none of rounding.
+TEST(SymmetricInDecimals, IsNotWhatIsWrittenOtherwise) {
+  const auto mechanism = test::load(replaced(test::source_file("test/data/described/mirrored_five_bar.urdf"),
+                                             "<child link=\"rod_2\"/><origin xyz=\"0.2 0 0\"",
+                                             "<child link=\"rod_2\"/><origin xyz=\"0.2000000001 0 0\""),
+                                    test::source_file("test/data/described/mirrored_five_bar.yaml"));
+  EXPECT_EQ(symmetries_of(*mechanism->mapped_manipulator()), std::set<std::string>{"(x, -y)"});
 }
 
 }  // namespace

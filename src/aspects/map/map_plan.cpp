@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/map_plan.h"
 
+#include "aspects/map/symmetric_region.h"
 #include "aspects/tree/held_joint_space.h"
 #include "aspects/tree/pose_tree.h"
 #include "aspects/tree/slice_space.h"
@@ -82,7 +83,7 @@ std::string find_positions(const Manipulator& manipulator, const MapOptions& opt
     return "The region of the map is empty, not finite, or too far from the origin for its size; give "
            "another "
            "region, or correct the lengths of the legs if they cannot reach a common pose.";
-  positions = *exact;
+  positions = plan.slice || free == 0 ? *exact : symmetric_region(manipulator, *region, *exact);
   return "";
 }
 

@@ -21,6 +21,10 @@ using Eigen::Vector3d;
 // As far below the size of the robot as sums of all images allow.
 constexpr int bits_of_lengths = 42;
 
+// Of groups about another point than the origin, which have few motions. Regions of maps about it need no
+// more bits, `exact_region`, up to some sizes of the robot.
+constexpr int bits_of_decimals = 47;
+
 // What becomes of one leg: signs by which the directions of its image differ.
 struct LegMatch {
   int along = 1;  // of axis or direction
@@ -138,8 +142,8 @@ class Comparison {
 
 class Symmetrizer {
  public:
-  Symmetrizer(TaskSpace space, const std::vector<Leg>& legs, double size, double tolerance)
-      : space_(space), legs_(legs), comparison_(size, tolerance), length_step_(step_of_lengths(size)) {}
+  Symmetrizer(TaskSpace space, const std::vector<Leg>& legs, double size, double tolerance, double step)
+      : space_(space), legs_(legs), comparison_(size, tolerance), length_step_(step) {}
 
   SymmetricLegs run() {
     SymmetricLegs result;
@@ -359,6 +363,19 @@ class Symmetrizer {
 
 }  // namespace
 
+SymmetricLegs symmetric_in_decimals(TaskSpace space, const std::vector<Leg>& legs, double size) {
+  SymmetricLegs result;
+  result.legs = legs;
+  if (space == TaskSpace::SO3 || space == TaskSpace::SE3) return result;
+  const double step = std::ldexp(1.0, std::ilogb(size) - bits_of_decimals);
+  SymmetricLegs found = Symmetrizer(space, legs, size, rounding_of_decimals, step).run();
+  if (found.motions.empty() || found.center.isZero(0.0)) return result;
+  for (std::size_t leg = 0; leg < legs.size(); ++leg)
+    base_point(result.legs[leg]) = base_point(found.legs[leg]);
+  found.legs = std::move(result.legs);
+  return found;
+}
+
 double step_of_lengths(double size) { return std::ldexp(1.0, std::ilogb(size) - bits_of_lengths); }
 
 double snapped(double value, double step) { return std::round(value / step) * step; }
@@ -369,7 +386,8 @@ Vector3d snapped(const Vector3d& vector, double step) {
 
 SymmetricLegs nearest_symmetric_legs(TaskSpace space, const std::vector<Leg>& legs, double size,
                                      double tolerance) {
-  return Symmetrizer(space, legs, space == TaskSpace::SO3 ? 1.0 : size, tolerance).run();
+  const double length = space == TaskSpace::SO3 ? 1.0 : size;
+  return Symmetrizer(space, legs, length, tolerance, step_of_lengths(length)).run();
 }
 
 }  // namespace parallel_aspects

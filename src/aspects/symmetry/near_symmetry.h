@@ -52,6 +52,14 @@ Eigen::Vector3d snapped(const Eigen::Vector3d& vector, double step);
 SymmetricLegs nearest_symmetric_legs(TaskSpace space, const std::vector<Leg>& legs, double size,
                                      double tolerance);
 
+/// `legs` with base points that decimal numbers make symmetric about a point other than the origin, so that
+/// they are so in doubles: moved by some units in the last place. With no motions, and the legs as they are,
+/// where that is not so.
+SymmetricLegs symmetric_in_decimals(TaskSpace space, const std::vector<Leg>& legs, double size);
+
+/// What sums of decimal numbers are rounded by at the most, in sizes of the robot [m] and rad.
+inline constexpr double rounding_of_decimals = 1e-13;
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_ASPECTS_SYMMETRY_NEAR_SYMMETRY_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/tree/pose_tree.h"
 
+#include "aspects/tree/exact_corners.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,21 +10,18 @@
 namespace parallel_aspects {
 namespace {
 
-// Corners are multiples of one grid unit, at most 2^23 of them. Divided 2^28 times a corner then needs
-// 23 + 28 = 51 bits of the 53 that a double has, and a center one more.
-constexpr int bits_of_corners = 23;
 constexpr double least_units_across = 4096.0;
 
 }  // namespace
 
-// The unit is as fine as it can be: the box is then cut alike in every unit of length.
 std::optional<Box> exact_region(const Box& box) noexcept {
   Box exact = box;
   for (std::size_t i = 0; i < box.dimension; ++i) {
     const double farthest = std::max(std::abs(box.lower[i]), std::abs(box.upper[i]));
     if (!std::isfinite(farthest) || !(box.lower[i] < box.upper[i])) return std::nullopt;
-    const double unit = std::ldexp(1.0, std::ilogb(farthest) + 1 - bits_of_corners);
+    const double unit = unit_of_corners(farthest);
     if (!std::isnormal(unit) || !(box.width(i) >= least_units_across * unit)) return std::nullopt;
+    if (has_exact_corners(box.lower[i], box.upper[i])) continue;
     exact.lower[i] = std::floor(box.lower[i] / unit) * unit;
     exact.upper[i] = std::ceil(box.upper[i] / unit) * unit;
   }
