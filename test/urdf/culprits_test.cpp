@@ -125,8 +125,8 @@ TEST(Culprit, IsABoomThatAPistonTurns) {
 
 TEST(Culprit, IsASerialArm) {
   EXPECT_EQ(refusal(culprit("serial_arm")),
-            Problems{"robot.urdf is a serial arm, one chain of 5 joints that no loop closes; only parallel "
-                     "robots are treated."});
+            Problems{"robot.urdf is a serial arm, one chain of 3 joints from link 'base' to link 'c' without "
+                     "a loop; there is nothing to close, and only parallel robots are treated."});
 }
 
 // A parallel robot is an open tree, too, until its loops are described.

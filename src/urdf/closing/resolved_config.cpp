@@ -2,6 +2,7 @@
 #include "urdf/closing/resolved_config.h"
 
 #include "model/number_text.h"
+#include "urdf/closing/serial_arm.h"
 #include "urdf/description/nearest_name.h"
 
 #include <algorithm>
@@ -11,19 +12,6 @@ namespace {
 
 // Of a frame from its link, in sums of all origins: far beyond any robot.
 constexpr double farthest_frame = 100.0;
-
-// Whether all movable joints are in one chain, but for single ones that branch off, as fingers do.
-bool is_serial_arm(const Tree& tree) {
-  std::vector<std::size_t> joints_below(tree.links.size(), 0);  // in the longest chain
-  std::vector<std::size_t> long_branches(tree.links.size(), 0);
-  for (auto joint = tree.joints.rbegin(); joint != tree.joints.rend(); ++joint) {
-    const std::size_t length = joints_below[joint->child] + (joint->variable ? 1 : 0);
-    if (long_branches[joint->child] > 1) return false;
-    joints_below[joint->parent] = std::max(joints_below[joint->parent], length);
-    if (length > 1) ++long_branches[joint->parent];
-  }
-  return long_branches.front() == 1;
-}
 
 bool are_same(const LinkFrame& one, const LinkFrame& other) {
   return one.link == other.link && one.in_link.isApprox(other.in_link);
@@ -125,10 +113,8 @@ class NameResolver {
     if (problems_.size() > before) return false;
     if (found.loops.closures.empty() && any_added) return true;
     if (found.loops.closures.empty()) {
-      if (is_serial_arm(tree_)) {
-        problems_.push_back(files_.urdf + " is a serial arm, one chain of " +
-                            std::to_string(tree_.movable.size()) +
-                            " joints that no loop closes; only parallel robots are treated.");
+      if (const auto serial = serial_arm_text(tree_, files_.urdf)) {
+        problems_.push_back(*serial);
         return false;
       }
       problem("has no mechanism.closures, and " + files_.urdf +

@@ -396,6 +396,7 @@ OpenEnds find_open_ends(const Tree& tree, const Bodies& bodies) {
   };
   add(without_named.evident());
   add(without_fingers.evident());
+  found.evident = !found.pairings.empty();
   add(without_fingers.forced());
   add(without_named.forced());
   for (const auto& all : {without_finger.evident(), without_finger.forced()}) add(all);

@@ -33,6 +33,7 @@ struct OpenEnds {
   std::vector<std::size_t> blunt;       ///< links that end a chain without a frame at their end
   std::optional<std::size_t> platform;  ///< link that most looks like one, where there are several ends
   std::vector<EqualPairings> pairings;  ///< those that more speaks for first
+  bool evident = false;                 ///< whether positions or names tell of any
   bool cut_short = false;               ///< whether some are left out, since there are too many
   bool may_have_finger = false;         ///< whether some leave out the one body that ends on a slide
 };

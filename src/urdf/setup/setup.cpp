@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/setup.h"
 
+#include "urdf/closing/serial_arm.h"
 #include "urdf/description/nearest_name.h"
 #include "urdf/reading/robot_text.h"
 #include "urdf/reading/tree_reader.h"
@@ -212,6 +213,11 @@ class Setup {
 
   SetupResult open_ends() {
     const OpenEnds ends = find_open_ends(tree_, bodies_);
+    const auto serial = ends.evident ? std::nullopt : serial_arm_text(tree_, source_.files.urdf);
+    if (serial) {
+      result_.problems = {*serial};
+      return result_;
+    }
     result_.question = question_of_places(tree_, ends, source_.files.urdf);
     if (result_.question) return result_;
     std::optional<ClosedResult> first;
@@ -323,18 +329,17 @@ class Setup {
   }
 
   void ask_for_closures(const OpenEnds& ends) {
-    if (ends.links.size() < 2 && ends.blunt.size() < 2) {
-      result_.problems = {
-          source_.files.urdf +
-          " is a serial chain with one end, which has no loops to close; this package treats parallel "
-          "robots."};
-      return;
-    }
     SetupQuestion question{
         "closures", source_.files.urdf + " does not tell where its loops are closed", {}, {}};
     const std::vector<std::size_t> blunt = blunt_ends(ends);
     for (const EndPair& pair : first_pairs(ends))
       question.example.push_back(example_of(pair.one, blunt) + "=" + example_of(pair.other, blunt));
+    if (question.example.empty()) {
+      result_.problems = {source_.files.urdf +
+                          " has one chain alone that could be in a loop; there is nothing to close, and only "
+                          "parallel robots are treated."};
+      return;
+    }
     if (!blunt.empty())
       question.text += "; " + ends_of_chains(blunt) +
                        " no frame at the far end: give each place in the frame of its link as X:Y:Z [m]";

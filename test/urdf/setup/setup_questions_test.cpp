@@ -272,11 +272,20 @@ TEST(Setup, TakesAnEffortThatLimitsNeedForAHint) {
   EXPECT_EQ(actuated_joints(*result.mechanism), (Strings{"drive1", "drive2"}));
 }
 
+// Whatever frames are at its ends.
 TEST(Setup, CallsASerialArmSerial) {
-  const SetupResult result = set_up_text(urdf_of("serial_arm"));
-  EXPECT_FALSE(result.question);
-  ASSERT_EQ(result.problems.size(), 1U);
-  EXPECT_NE(result.problems.front().find("serial"), std::string::npos) << result.problems.front();
+  std::string urdf = urdf_of("serial_arm");
+  for (const std::string link : {"base_link", "l3", "l3", "l3"}) {
+    const SetupResult result = set_up_text(urdf);
+    EXPECT_FALSE(result.question);
+    EXPECT_EQ(result.problems,
+              Problems{"robot.urdf is a serial arm, one chain of 3 joints from link 'base_link' to link 'l3' "
+                       "without a loop; there is nothing to close, and only parallel robots are treated."});
+    const std::string frame = "frame_" + std::to_string(urdf.size());
+    urdf = test::replaced(
+        urdf, "</robot>",
+        "<link name=\"" + frame + "\"/>" + test::fixed_joint(link, frame, "xyz=\"0 0 0.33\"") + "</robot>");
+  }
 }
 
 // A prismatic leg that is drawn with its base turning could be neither; a five-bar could be driven at its
