@@ -363,5 +363,48 @@ TEST(Culprit, IsARevoluteClosureWhereBallsFit) {
       << next[0];
 }
 
+// Whatever ends are exchanged, that is no mistake of the description.
+TEST(Culprit, IsAPlatformThatNoPoseHolds) {
+  EXPECT_EQ(
+      refusal(culprit("singular_hexapod")),
+      Problems{"robot.urdf is assembled, but singular in every pose: det A is zero to rounding in all 12 "
+               "random poses that were tried, so that its actuated joints never hold operational_point "
+               "'plate'; change the places of the joints on base or platform, which are, for instance, "
+               "two similar hexagons joined corner to corner, or struts that stay parallel."});
+}
+
+// Of the closures with an axis in the frame of the model.
+std::string with_axes_of_links(std::string urdf, const std::vector<std::string>& links) {
+  const std::string stated = "<xyz>0 0 1</xyz><use_parent_model_frame>1</use_parent_model_frame>";
+  for (const std::string& link : links)
+    urdf.replace(urdf.find(stated), stated.size(), "<xyz expressed_in=\"" + link + "\">0 0 1</xyz>");
+  return urdf;
+}
+
+// A mistake in one leg is made in every leg, and in none that has no such closure.
+TEST(Culprit, IsTheFrameOfTheAxesOfLikeClosures) {
+  Description robot = culprit("upright_three_rrr");
+  EXPECT_EQ(refusal(robot),
+            Problems{"robot.urdf states axes for 'wrist_2', 'wrist_3' about which their links do not turn; "
+                     "write <axis><xyz expressed_in=\"lower_2\">0 0 1</xyz></axis> for 'wrist_2', <axis><xyz "
+                     "expressed_in=\"lower_3\">0 0 1</xyz></axis> for 'wrist_3', which makes it a robot in "
+                     "SE2."});
+  const std::string both = robot.urdf;
+  robot.urdf = with_axes_of_links(both, {"lower_2"});
+  EXPECT_EQ(refusal(robot),
+            Problems{"robot.urdf states axes for 'wrist_3' about which their links do not turn; write "
+                     "<axis><xyz expressed_in=\"lower_3\">0 0 1</xyz></axis> for 'wrist_3', which makes it a "
+                     "robot in SE2."});
+  robot.urdf = with_axes_of_links(both, {"lower_2", "lower_3"});
+  EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::SE2);
+  Description delta = culprit("delta_of_parallelograms");
+  const Problems said = refusal(delta);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].rfind("robot.urdf states axes for 'close_1', 'close_2', 'close_3' about which", 0), 0U)
+      << said[0];
+  delta.urdf = with_axes_of_links(delta.urdf, {"foot_1", "foot_2", "foot_3"});
+  EXPECT_EQ(test::load(delta)->manipulator()->task_space(), TaskSpace::T3);
+}
+
 }  // namespace
 }  // namespace parallel_aspects

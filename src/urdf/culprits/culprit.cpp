@@ -3,12 +3,13 @@
 
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/anchors.h"
-#include "urdf/corrections/listed_corrections.h"
+#include "urdf/corrections/like_closures.h"
 #include "urdf/corrections/named_ends.h"
 #include "urdf/culprits/correction_search.h"
 #include "urdf/culprits/misfit_axes.h"
 #include "urdf/culprits/misplaced_ends.h"
 #include "urdf/culprits/single_freedom.h"
+#include "urdf/culprits/singular_everywhere.h"
 
 #include <algorithm>
 #include <utility>
@@ -48,6 +49,9 @@ class Search {
       return culprit;
     if (auto culprit = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_frames()) return culprit;
     if (auto culprit = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_chains()) return culprit;
+    if (auto culprit = CorrectionSearch(tree_, resolved_, true, files_, attempt_)
+                           .working_of(axes_of_like_closures(tree_, resolved_, files_)))
+      return culprit;
     if (is_one_type())
       if (auto culprit = other_type(ClosureType::point)) return culprit;
     const Eigen::VectorXd& values = assembled_.assembly ? assembled_.assembly->values : assembled_.closest;
@@ -58,6 +62,7 @@ class Search {
       if (auto culprit = corrections.working_of(find_axis_corrections(system_, values, files_)))
         return culprit;
     }
+    if (const auto singular = singular_everywhere(tree_, resolved_, files_)) return without_remedy(*singular);
     if (auto culprit = other_closing_link()) return culprit;
     if (assembled_.assembly)
       if (auto culprit = other_operational_point()) return culprit;
@@ -246,8 +251,8 @@ class Search {
     return std::nullopt;
   }
 
-  // One for all that are stated, or none. Where all are revolute, as in the plane, that is right.
-  std::optional<Diagnosis> other_types() {
+  // One for like closures, or none. Where all are revolute, as in the plane, that is right.
+  std::optional<Diagnosis> other_types() const {
     const bool all_revolute =
         std::all_of(resolved_.closures.begin(), resolved_.closures.end(),
                     [](const Closure& closure) { return closure.type == ClosureType::revolute; });
@@ -257,22 +262,9 @@ class Search {
     return resolved_.closure_dialect.empty() ? other_type(ClosureType::automatic) : std::nullopt;
   }
 
-  std::optional<Diagnosis> other_type(ClosureType type) {
-    ResolvedConfig changed = resolved_;
-    std::string names;
-    for (Closure& closure : changed.closures) {
-      if (closure.type == ClosureType::automatic || closure.type == type) continue;
-      names += (names.empty() ? "'" : ", '") + closure.name + "'";
-      closure.type = type;
-    }
-    const auto space = names.empty() ? std::nullopt : tried(tree_, changed);
-    if (!space) return std::nullopt;
-    return with_remedy(
-        file_of_closures(resolved_, files_) + " closes loops of " + files_.urdf +
-        " by types that do not fit its joints; write " + type_text(resolved_, type) + " for " + names +
-        " in " +
-        (resolved_.closure_dialect.empty() ? files_.full_key("closures") : resolved_.closure_dialect) +
-        ", which makes it a robot in " + *space + ".");
+  std::optional<Diagnosis> other_type(ClosureType type) const {
+    return CorrectionSearch(tree_, resolved_, true, files_, attempt_)
+        .working_of(types_of_like_closures(resolved_, type, files_));
   }
 
   std::optional<std::string> tried(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& changed) {

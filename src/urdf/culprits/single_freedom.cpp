@@ -12,6 +12,9 @@
 namespace parallel_aspects {
 namespace {
 
+// So many actuated joints are not meant to move one degree of freedom, whatever closures leave.
+constexpr std::size_t drives_of_more = 3;
+
 constexpr const char* treated = "only a platform on a slide, which one leg moves (T1), is treated.";
 
 class OneFreedom {
@@ -32,6 +35,7 @@ class OneFreedom {
     } else if (!is_held_still()) {
       return std::nullopt;
     }
+    if (resolved_.actuated_joints.variables.size() >= drives_of_more) return std::nullopt;
     const std::string point = operational_point_text(*tree_, platform_, files_);
     if (const auto joint = turning_joint())
       return files_.urdf + " turns " + point + " about joint '" + tree_->joints[*joint].name +
