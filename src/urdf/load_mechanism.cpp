@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/number_text.h"
+#include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/ends_of_loops.h"
 #include "urdf/closing/planar_layers.h"
 #include "urdf/closing/resolved_config.h"
@@ -12,6 +13,7 @@
 #include "urdf/description/yaml_document.h"
 #include "urdf/end_notes.h"
 #include "urdf/home_configuration.h"
+#include "urdf/idle_chains.h"
 #include "urdf/load_search.h"
 #include "urdf/mechanism_contents.h"
 #include "urdf/mechanism_recognition.h"
@@ -133,6 +135,14 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     }
     return contents;
   }
+  ResolvedConfig fewer = resolved;
+  if (const auto note = leave_out_idle_chains(tree, files, fewer)) {
+    Problems unused;
+    if (auto contents = recognise_in(tree, fewer, unused)) {
+      contents->notes.push_back(*note);
+      return contents;
+    }
+  }
   if (!search.looks_for_remedies) throw InvalidDescription(problems);
   if (const auto diagnosis = find_culprit(tree, resolved, files, attempt)) refuse(*diagnosis);
   if (!meant && !are_all_welds(resolved.closures) && with_ends_together(*tree, resolved))
@@ -197,6 +207,8 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
        join_layers(*tree, resolved.actuated_joints.platform_link, files, resolved.closures))
     notes.push_back(note);
   const auto open_tree = std::make_shared<const Tree>(std::move(*tree));
+  if (!is_actuation_count(resolved.actuated_joints.variables.size()) && !resolved.closures.empty())
+    if (auto note = leave_out_idle_chains(open_tree, files, resolved)) notes.push_back(std::move(*note));
   auto contents = recognise(open_tree, config, resolved, files, search);
   const ClosureSystem loops = loops_of(open_tree, resolved);
   for (const std::string& note : shared_frame_notes(*open_tree, resolved, loops.size()))

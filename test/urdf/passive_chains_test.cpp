@@ -400,5 +400,26 @@ TEST(PassiveChain, SaysWhichLimitsOfItsSlidesBoundNothing) {
   EXPECT_EQ(says(notes("{link: platform, xyz: [1, 0, 0]}"), unused), 1);
 }
 
+// A telescopic shaft to a tool that a fourth motor turns on the platform of a Delta.
+TEST(IdleChain, IsLeftOutWhateverItDrives) {
+  const std::string urdf = test::source_file("test/data/chains/delta_with_shaft.urdf");
+  const std::string note =
+      "robot.urdf has a chain between base and platform that takes nothing from the platform, even with its "
+      "actuated joints locked; it is left out: 'motor_4', 'shaft_top_r_joint',";
+  const std::string stated = "mechanism:\n  operational_point: platform\n",
+                    listed = stated + "  actuated_joints: [motor_1, motor_2, motor_3]\n";
+  const std::string without = listed +
+                              "  closures: [{frames: [rod_end_1, socket_1]}, {frames: [rod_end_2, "
+                              "socket_2]}, {frames: [rod_end_3, socket_3]}]\n";
+  const auto right = test::load({urdf, without});
+  ASSERT_EQ(right->manipulator()->task_space(), TaskSpace::T3);
+  EXPECT_FALSE(any_note(*right, "takes nothing"));
+  for (const std::string& config : {stated, listed}) {
+    const auto found = test::load({urdf, config});
+    expect_same_legs(*found, *right, 1e-9);
+    EXPECT_TRUE(any_note(*found, note)) << config;
+  }
+}
+
 }  // namespace
 }  // namespace parallel_aspects

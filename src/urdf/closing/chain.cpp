@@ -3,6 +3,7 @@
 
 #include "model/number_text.h"
 #include "urdf/closing/held_twists.h"
+#include "urdf/closing/idle_chains.h"
 
 #include <algorithm>
 #include <map>
@@ -71,6 +72,14 @@ class LegFinder {
     std::sort(legs.begin(), legs.end(),
               [](const auto& a, const auto& b) { return a.actuation < b.actuation; });
     return found;
+  }
+
+  std::vector<std::vector<Chain>> idle() {
+    std::vector<std::vector<Chain>> result;
+    if (base_ == platform_) return result;
+    for (const std::vector<std::size_t>& part : joining_parts())
+      if (freedom_left({held_by(part)}) == 6) result.push_back(chains_of(part));
+    return result;
   }
 
   std::vector<std::vector<LegJoint>> joints() const {
@@ -206,11 +215,7 @@ class LegFinder {
               "that all legs share.");
       return;
     }
-    std::vector<Chain> chains;
-    Chain chain;
-    std::set<std::size_t> visited{base_};
-    steps_ = 0;
-    walk(part, base_, visited, chain, chains);
+    const std::vector<Chain> chains = chains_of(part);
     if (chains.size() < max_chains && steps_ < max_steps) {
       if (found.empty())
         legs.passive.push_back({chains, restricts(joining, index)});
@@ -220,6 +225,15 @@ class LegFinder {
     }
     problem("makes one leg of the joints " + joints_of(part) +
             ", which form too many loops to be followed; simplify the leg in " + files_.urdf + ".");
+  }
+
+  std::vector<Chain> chains_of(const std::vector<std::size_t>& part) {
+    std::vector<Chain> chains;
+    Chain chain;
+    std::set<std::size_t> visited{base_};
+    steps_ = 0;
+    walk(part, base_, visited, chain, chains);
+    return chains;
   }
 
   static void append(const Edge& edge, bool forward, Chain& chain) {
@@ -388,6 +402,13 @@ std::vector<std::vector<LegJoint>> joints_by_leg(const ClosureSystem& system,
   const AssembledMechanism at_zero{system, Eigen::VectorXd::Zero(system.tree().variables()),
                                    std::vector<bool>(system.in_loop().size(), false)};
   return LegFinder(at_zero, actuated_joints, files, unused).joints();
+}
+
+std::vector<std::vector<Chain>> chains_that_hold_nothing(const AssembledMechanism& mechanism,
+                                                         const ActuatedJoints& actuated_joints,
+                                                         const SourceNames& files) {
+  Problems unused;
+  return LegFinder(mechanism, actuated_joints, files, unused).idle();
 }
 
 }  // namespace parallel_aspects
