@@ -66,6 +66,8 @@ Note listed_types(const std::vector<Closure>& open, const std::vector<Closure>& 
   return text;
 }
 
+constexpr std::size_t most_named = 6;  // joints of a refusal; of more it has the count
+
 constexpr int note_digits = 4, yaml_digits = 12;
 
 std::string triple(const Eigen::Vector3d& vector, int digits = note_digits) {
@@ -394,8 +396,8 @@ class OpenActuation {
     for (const Choice& choice : working_)
       fitting += (fitting.empty() ? "" : " and ") + joint_list(*tree_, choice);
     return files_.config + " does not say " + files_.full_key("actuated_joints") + ", and " +
-           std::to_string(described.size()) + " joints " + resolved_.actuation_origin + ", " +
-           quoted_joints(*tree_, described).text() + "; " +
+           std::to_string(described.size()) + " joints " + resolved_.actuation_origin +
+           (described.size() > most_named ? "" : ", " + quoted_joints(*tree_, described).text()) + "; " +
            (working_.empty() ? "no choice of one, two, three or six of them was found to make a manipulator"
                              : "the mobility fits " + fitting) +
            ", so list those that are actuated.";

@@ -35,7 +35,7 @@ class ClosedSearch {
         bodies_(subject.bodies),
         closures_(closures),
         graph_(subject.tree, subject.bodies, closures) {
-    for (const bool joint : graph_.in_loop()) joints_in_loops_ += joint ? 1 : 0;
+    for (const bool joint : graph_.in_loop()) result_.joints_in_loops += joint ? 1 : 0;
     result_.draft.robot = subject.tree.name;
     result_.draft.urdf_name = subject.urdf_name;
     result_.draft.closures = described;
@@ -280,7 +280,7 @@ class ClosedSearch {
   // a rod of each leg that spins. Planar and spherical robots have fewer by this count.
   bool fits(const CountedType& type) const {
     const std::size_t held = type.held * result_.draft.closures.values.size();
-    return joints_in_loops_ >= held + legs_ && joints_in_loops_ <= held + 2 * legs_;
+    return result_.joints_in_loops >= held + legs_ && result_.joints_in_loops <= held + 2 * legs_;
   }
 
   bool try_type(const char* type) {
@@ -307,6 +307,7 @@ class ClosedSearch {
     if (!known || *known == ClosureType::automatic || freedoms_.count(type) > 0 || stopped()) return;
     const std::size_t base = *tree_.link_named(result_.draft.base_link.values.front());
     std::vector<Closure> typed = with_type(closures_, *known);
+    subject_.control.count_attempt(result_.joints_in_loops);
     join_layers(tree_, base, {subject_.urdf_name, subject_.config_name}, typed);
     freedoms_.emplace(type, Freedom(tree_, base, std::move(typed)));
   }
@@ -331,6 +332,7 @@ class ClosedSearch {
     search.as_options = true;
     search.checkpoint = [this] {
       if (is_late()) throw SearchIsLate{};
+      subject_.control.count_attempt(result_.joints_in_loops);
     };
     try {
       return load_mechanism(urdf_text, subject_.urdf_name, config_text(draft), name_of_choice, "", search);
@@ -380,9 +382,8 @@ class ClosedSearch {
   BodyGraph graph_;
   std::map<std::string, Freedom> freedoms_;  // under closures of this type
   std::size_t base_ = 0;                     // body
-  std::size_t joints_in_loops_ = 0;
-  std::size_t legs_ = 0;    // of what is being tried
-  bool lacks_leg_ = false;  // one with a joint that is stated to be actuated
+  std::size_t legs_ = 0;                     // of what is being tried
+  bool lacks_leg_ = false;                   // one with a joint that is stated to be actuated
   ClosedResult result_;
 };
 

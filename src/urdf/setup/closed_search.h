@@ -35,6 +35,7 @@ struct ClosedResult {
   std::vector<SetupDraft>
       tried;  ///< first, and then for other platforms; empty where there was nothing to try
   std::vector<std::string> notes;  ///< on the actuated joints, a sentence each
+  std::size_t joints_in_loops = 0;
   bool cut_short = false;
 };
 

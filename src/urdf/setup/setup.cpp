@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/setup.h"
 
+#include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/serial_arm.h"
 #include "urdf/description/nearest_name.h"
+#include "urdf/idle_chains.h"
 #include "urdf/reading/robot_text.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/setup/closed_search.h"
@@ -39,6 +41,8 @@ std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing) {
                         ClosureType::automatic});
   return closures;
 }
+
+constexpr std::size_t most_ends_named = 8;  // open ends of a refusal; of more it has the count
 
 class Setup {
  public:
@@ -162,14 +166,31 @@ class Setup {
     return refusal.has_remedy;
   }
 
-  // In half of the time, so that the other half is for what would correct them.
+  // Where more joints are stated to be actuated than a robot has; the loader says what it leaves out.
+  std::vector<Closure> without_idle_chains(const std::vector<Closure>& closures) const {
+    const std::vector<std::size_t> stated = stated_actuation(evidence_).variables;
+    const BodyGraph graph(tree_, bodies_, closures);
+    const auto base = graph.base();
+    if (stated.empty() || is_actuation_count(stated.size()) || !base) return closures;
+    const std::shared_ptr<const Tree> borrowed(std::shared_ptr<const Tree>(), &tree_);
+    for (const std::size_t body : graph.moving_bodies(*base)) {
+      ResolvedConfig resolved;
+      resolved.base = bodies_.links(*base).front();
+      resolved.actuated_joints = {bodies_.links(body).front(), stated};
+      resolved.closures = closures;
+      if (leave_out_idle_chains(borrowed, source_.files, resolved)) return resolved.closures;
+    }
+    return closures;
+  }
+
+  // By half of the work, so that the other half is for what would correct them.
   void described_closures(const FoundLoops& loops) {
     SetupControl control = control_;
-    control.deadline -= (control_.deadline - ProcessorClock::now()) / 2;
+    control.work -= (control_.work - std::min(control_.work, *control_.done)) / 2;
     const SetupSubject subject{
         tree_,    bodies_, evidence_, subject_.urdf_text, subject_.urdf_name, subject_.config_name,
         answers_, control};
-    take(search_closed(subject, loops.loops.closures,
+    take(search_closed(subject, without_idle_chains(loops.loops.closures),
                        {{}, "the URDF describes them by " + std::string(loops.dialect)}));
   }
 
@@ -192,6 +213,8 @@ class Setup {
     closures.insert(closures.end(), added.begin(), added.end());
     SetupCandidate candidate = described(asked);
     if (adds) candidate.reason += ", beside those that the URDF describes";
+    if (const auto note = note_on_borrowed_lengths(tree_, answers_.closures))
+      result_.notes.insert(result_.notes.begin(), *note);
     take(search_closed(subject_, closures, candidate, adds));
     return result_;
   }
@@ -249,10 +272,14 @@ class Setup {
 
   bool refuse_ends(const ClosedResult& first, const OpenEnds& ends) {
     const bool has_remedy = refuse(first);
-    std::string names;
-    for (const std::size_t link : ends.links) names += (names.empty() ? "" : ", ") + tree_.links[link];
-    result_.problems.back() += " If other ends meet, name them with --closures; the open ends are " + names +
-                               ", and those that are in no loop are left out.";
+    std::string names = std::to_string(ends.links.size()) + " open ends";
+    if (ends.links.size() <= most_ends_named) {
+      names = "open ends ";
+      for (const std::size_t link : ends.links)
+        names += (link == ends.links.front() ? "" : ", ") + tree_.links[link];
+    }
+    result_.problems.back() += " If others of the " + names +
+                               " meet, name them with --closures; those that are in no loop are left out.";
     return has_remedy;
   }
 

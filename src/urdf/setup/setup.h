@@ -4,7 +4,6 @@
 
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/urdf/mechanism.h"
-#include "urdf/setup/processor_clock.h"
 
 #include <array>
 #include <chrono>
@@ -48,16 +47,17 @@ struct SetupQuestion {
   std::vector<std::string> example;  ///< where there are none: what an answer looks like
 };
 
-/// When to give up, and what for. All are looked at before each attempt to assemble the mechanism.
+/// When to give up, and what for. All are looked at before each attempt to assemble the mechanism. Work is
+/// counted and not timed, so that no answer depends on the machine or on what else it does.
 struct SetupControl {
-  ProcessorClock::time_point deadline;
+  std::size_t work = 0;  ///< attempts, each times the square of the number of joints in the loops
   std::function<bool()> cancelled = [] { return false; };
   /// By the clock on the wall, for those who wait while other programs have the processor.
   std::chrono::steady_clock::time_point latest = std::chrono::steady_clock::time_point::max();
+  std::shared_ptr<std::size_t> done = std::make_shared<std::size_t>(0);  ///< of the work, by all copies
 
-  bool is_over() const {
-    return cancelled() || ProcessorClock::now() > deadline || std::chrono::steady_clock::now() > latest;
-  }
+  void count_attempt(std::size_t joints) const { *done += joints * joints; }
+  bool is_over() const { return cancelled() || *done >= work || std::chrono::steady_clock::now() > latest; }
 };
 
 /// What a bare URDF came to: a mechanism, a question, or problems.
