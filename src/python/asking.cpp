@@ -62,6 +62,12 @@ void KeywordReader::read(const std::string& name, const Object& given, double& v
     throw InvalidDescription({name + " is " + text_of_any(given) + "; give a positive number."});
 }
 
+void KeywordReader::read(const std::string& name, const Object& given, bool& value) {
+  if (!py::isinstance<py::bool_>(given))
+    throw InvalidDescription({name + " is " + text_of_any(given) + "; give True or False."});
+  value = given.cast<bool>();
+}
+
 void KeywordReader::read(const std::string& name, const Object& given, Pose& value) {
   value = pose_of(name, robot_, array_named(name, given));
 }
@@ -178,9 +184,16 @@ py::object DictWriter::object_of_value(const std::vector<HeldCoordinate>& values
   return array_of(numbers);
 }
 
-py::object DictWriter::object_of_value(const std::vector<std::pair<std::string, double>>& values) const {
+py::object DictWriter::object_of_value(const ask::NamedValues& values) const {
   py::dict result;
   for (const auto& [name, value] : values) result[py::str(name)] = value;
+  return std::move(result);
+}
+
+py::object DictWriter::object_of_value(const std::vector<ask::NamedRange>& ranges) const {
+  py::dict result;
+  for (const ask::NamedRange& each : ranges)
+    result[py::str(each.name)] = py::make_tuple(each.lower, each.upper);
   return std::move(result);
 }
 

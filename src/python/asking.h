@@ -67,6 +67,7 @@ class KeywordReader {
   }
   void read(const std::string& name, const Object& given, std::string& value);
   void read(const std::string& name, const Object& given, double& value);
+  static void read(const std::string& name, const Object& given, bool& value);
   void read(const std::string& name, const Object& given, Pose& value);
   void read(const std::string& name, const Object& given, WorkingMode& value);
   void read(const std::string& name, const Object& given, JointVector& value);
@@ -134,7 +135,8 @@ class DictWriter {
   }
   pybind11::object object_of_value(const std::vector<double>& values) const { return array_of(values); }
   pybind11::object object_of_value(const std::vector<HeldCoordinate>& values) const;
-  pybind11::object object_of_value(const std::vector<std::pair<std::string, double>>& values) const;
+  pybind11::object object_of_value(const ask::NamedValues& values) const;
+  pybind11::object object_of_value(const std::vector<ask::NamedRange>& ranges) const;
   pybind11::object object_of_value(const WorkingMode& mode) const;
   pybind11::object object_of_value(const Pose& pose) const;
   pybind11::object object_of_value(const std::vector<Pose>& poses) const;
@@ -191,10 +193,9 @@ Question read_question(const Manipulator& robot, const pybind11::dict& keywords)
 
 /// Asks in a thread of its own. Throws `InvalidDescription`.
 template <class Question>
-pybind11::dict ask_session(SharedSession& shared, const pybind11::dict& keywords,
+pybind11::dict ask_session(SharedSession& shared, const Question& question,
                            const pybind11::object& progress) {
   ask::Session& session = shared.session;
-  const auto question = read_question<Question>(*session.robot(), keywords);
   std::vector<std::string> notes;
   auto outcome = run_long(progress, [&](const MapControl& called) {
     ask::Control control;

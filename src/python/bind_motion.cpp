@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/workspace.h"
 #include "parallel_aspects/motion/check_joint_trajectory.h"
-#include "parallel_aspects/motion/choose_working_mode.h"
-#include "tools/arguments.h"
-#include "tools/motion_report/choice_report.h"
-#include "tools/motion_report/violation_report.h"
+#include "tools/report/answer_json.h"
 
 #include "python/arrays.h"
 #include "python/asking.h"
@@ -45,7 +43,7 @@ py::object leg_name(const Manipulator& manipulator, const std::optional<std::siz
 
 py::dict crossing_dict(const Manipulator& manipulator, const TrajectoryCrossing& crossing) {
   py::dict result;
-  result["kind"] = tools::name_of(crossing.kind);
+  result["kind"] = name(crossing.kind);
   result["leg"] = leg_name(manipulator, crossing.leg);
   result["after"] = crossing.after;
   result["before"] = crossing.before;
@@ -92,7 +90,7 @@ py::dict check_dict(const Manipulator& manipulator, const TrajectoryCheck& check
   result["reason"] = check.reason;
   result["free_until"] = check.free_until;
   result["violation"] =
-      check.violation ? object_of(tools::json_violation(manipulator, *check.violation)) : py::none();
+      check.violation ? object_of(tools::JsonWriter(manipulator).json_of(*check.violation)) : py::none();
   result["crossings"] = crossings;
   result["least_parallel_index"] = check.parallel_index.value;
   result["least_serial_index"] = check.serial_index.value;
@@ -137,53 +135,31 @@ py::dict check_joints(const CoreRobot& robot, const Times& times, const Array& v
                     }));
 }
 
-py::object choose(const CoreRobot& robot, const Times& times, const Array& values, const std::string& prefer,
-                  const py::object& map) {
-  const Manipulator& manipulator = *robot.manipulator;
-  const auto preference = preference_named(prefer);
-  if (!preference) throw InvalidDescription({"prefer is '" + prefer + "'; give clear, travel or fast."});
-  const std::vector<PoseWaypoint> waypoints = waypoints_of(manipulator, times, values);
-  refuse_any(problems_of(manipulator, waypoints, *preference));
-  PathChoiceOptions options;
-  options.preference = *preference;
-  if (!map.is_none()) options.map = map.cast<const CoreMap&>().map.get();
-  if (options.map != nullptr && options.map->manipulator() != robot.manipulator)
+/// Of a path, where there are times, and else of a region.
+py::dict choose(const CoreRobot& robot, const py::object& times, const py::object& values,
+                const py::dict& keywords, const py::object& map, const py::object& progress) {
+  auto question = read_question<ask::ChooseQuestion>(*robot.manipulator, keywords);
+  if (!times.is_none())
+    question.path = waypoints_of(*robot.manipulator, times.cast<Times>(), values.cast<Array>());
+  if (map.is_none()) {
+    SharedSession questions(robot.manipulator);
+    return ask_session(questions, question, progress);
+  }
+  const auto& known = map.cast<const CoreMap&>();
+  if (known.map->manipulator() != robot.manipulator)
     throw InvalidDescription({"map is of another robot; give one that this robot's map() returned."});
-  const auto choice = run_long(py::none(), [&](const MapControl& control) {
-    options.control = control;
-    return choose_working_mode(SegmentCertifier(robot.manipulator), waypoints, options);
-  });
-  return object_of(tools::report_path_choice(manipulator, choice, *preference).json);
-}
-
-py::object choose_region(const CoreRobot& robot, const std::string& region, const std::string& slice) {
-  const Manipulator& manipulator = *robot.manipulator;
-  Problems problems;
-  RegionQuestion question;
-  question.slice = slice_of(manipulator, slice);
-  const auto names =
-      question.slice ? coordinate_names(*question.slice) : coordinate_names(manipulator.task_space());
-  if (names.size() <= max_map_dimension)
-    question.region = tools::parse_region("region", names, region, problems);
-  if (problems.empty()) problems = problems_of(manipulator, question);
-  refuse_any(problems);
-  const auto choice = run_long(py::none(), [&](const MapControl& control) {
-    RegionChoiceOptions options;
-    options.control = control;
-    return choose_working_mode(robot.manipulator, question, options);
-  });
-  return object_of(tools::report_region_choice(manipulator, question, choice).json);
+  return ask_session(*known.questions, question, progress);
 }
 
 template <class Question>
 py::dict ask_robot(const CoreRobot& robot, const py::dict& keywords, const py::object& progress) {
   SharedSession questions(robot.manipulator);
-  return ask_session<Question>(questions, keywords, progress);
+  return ask_session(questions, read_question<Question>(*robot.manipulator, keywords), progress);
 }
 
 template <class Question>
 py::dict ask_map(const CoreMap& map, const py::dict& keywords, const py::object& progress) {
-  return ask_session<Question>(*map.questions, keywords, progress);
+  return ask_session(*map.questions, read_question<Question>(map.robot(), keywords), progress);
 }
 
 template <class Question, class Answer>
@@ -200,10 +176,10 @@ void bind_motion(py::module& module, RobotClass& robot, MapClass& map) {
   robot.def("check", check);
   robot.def("check_joints", check_joints);
   robot.def("choose", choose);
-  robot.def("choose_region", choose_region);
   bind_question<ask::PlanQuestion, ask::PlanAnswer>("plan", module, robot, map);
   bind_question<ask::ConnectQuestion, ask::ConnectAnswer>("connect", module, robot, map);
   bind_question<ask::DistanceQuestion, ask::DistancesInMode>("distance", module, robot, map);
+  module.def("choose_question", fields_of<ask::ChooseQuestion>);
   module.def("distance_to", fields_of<ask::DistanceTo>);
   bind_question<ask::LargestShapeQuestion, ask::ShapeInAspect>("workspace", module, robot, map);
 }

@@ -59,7 +59,7 @@ std::vector<HeldCoordinate> parse_values(const std::string& option, const std::s
 
 /// Ranges by name, such as "x=-5:5 phi=0:1", likewise.
 std::vector<ask::NamedRange> parse_ranges(const std::string& option, const std::string& text,
-                                          Problems& problems);
+                                          Problems& problems, const std::string& example = "\"x=-1:1\"");
 
 /// The margins that `text` gives, such as "parallel=0.05 serial=0.1", separated by blanks or commas; those
 /// that it does not name are as in `others`.

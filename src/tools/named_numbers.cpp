@@ -18,8 +18,7 @@ std::optional<std::pair<std::string, std::vector<double>>> named_numbers(const s
   const std::size_t equals = word.find('=');
   const auto parts = split_at(':', equals == std::string::npos ? "" : word.substr(equals + 1));
   if (equals == std::string::npos || equals == 0 || parts.size() != count) {
-    problems.push_back(option + " has '" + word + "'; give names with their values, such as " + example +
-                       ".");
+    problems.push_back(option + " has '" + word + "'; give " + example + ".");
     return std::nullopt;
   }
   std::vector<double> numbers;
@@ -44,16 +43,16 @@ std::vector<HeldCoordinate> parse_values(const std::string& option, const std::s
                                          Problems& problems) {
   std::vector<HeldCoordinate> values;
   for (const std::string& word : words_of_list(text))
-    if (auto found = named_numbers(option, word, 1, "\"x=0.5\"", problems))
+    if (auto found = named_numbers(option, word, 1, "names with their values, such as \"x=0.5\"", problems))
       values.push_back({std::move(found->first), found->second[0]});
   return values;
 }
 
 std::vector<ask::NamedRange> parse_ranges(const std::string& option, const std::string& text,
-                                          Problems& problems) {
+                                          Problems& problems, const std::string& example) {
   std::vector<ask::NamedRange> ranges;
   for (const std::string& word : words_of_list(text))
-    if (auto found = named_numbers(option, word, 2, "\"x=-1:1\"", problems))
+    if (auto found = named_numbers(option, word, 2, example, problems))
       ranges.push_back({std::move(found->first), found->second[0], found->second[1]});
   return ranges;
 }

@@ -26,6 +26,9 @@ namespace parallel_aspects::tools {
 /// The texts of the options of a question, by field; empty where not given.
 using QuestionTexts = std::map<std::string, std::string>;
 
+/// Which of its flags are given.
+using QuestionFlags = std::map<std::string, bool>;
+
 /// Lists the fields of a question as options, which fill `texts`.
 class OptionList {
  public:
@@ -36,6 +39,8 @@ class OptionList {
     options_.push_back({option_name(field.name), field.value, ask::with_names(field.help, option_name),
                         &texts_[field.name], false, words_of(value)});
   }
+
+  void operator()(const ask::Field& /*field*/, const bool& /*a flag*/) {}
 
   const std::vector<Option>& options() const noexcept { return options_; }
 
@@ -62,6 +67,34 @@ class OptionList {
   std::vector<Option> options_;
 };
 
+/// Lists the fields of a question that are flags, which fill `flags`.
+class FlagList {
+ public:
+  explicit FlagList(QuestionFlags& flags) : given_(flags) {}
+
+  template <class Value>
+  void operator()(const ask::Field& /*field*/, const Value& /*an option*/) {}
+  void operator()(const ask::Field& field, const bool& /*value*/) {
+    flags_.push_back(
+        {option_name(field.name), ask::with_names(field.help, option_name), &given_[field.name]});
+  }
+
+  const std::vector<Flag>& flags() const noexcept { return flags_; }
+
+ private:
+  QuestionFlags& given_;
+  std::vector<Flag> flags_;
+};
+
+/// The flags of a question.
+template <class Question>
+std::vector<Flag> question_flags(QuestionFlags& flags) {
+  FlagList list(flags);
+  Question question;
+  describe(list, question);
+  return list.flags();
+}
+
 /// The options of a question.
 template <class Question>
 std::vector<Option> question_options(QuestionTexts& texts) {
@@ -74,13 +107,18 @@ std::vector<Option> question_options(QuestionTexts& texts) {
 /// Reads the fields of a question from their texts; what is wrong with these is added to the problems.
 class TextReader {
  public:
-  TextReader(const Manipulator& robot, const QuestionTexts& texts, Problems& problems)
-      : robot_(robot), texts_(texts), problems_(problems) {}
+  TextReader(const Manipulator& robot, const QuestionTexts& texts, const QuestionFlags& flags,
+             Problems& problems)
+      : robot_(robot), texts_(texts), flags_(flags), problems_(problems) {}
 
   template <class Value>
   void operator()(const ask::Field& field, Value& value) {
     const auto text = texts_.find(field.name);
     if (text != texts_.end() && !text->second.empty()) read(option_name(field.name), text->second, value);
+  }
+  void operator()(const ask::Field& field, bool& value) {
+    const auto flag = flags_.find(field.name);
+    value = flag != flags_.end() && flag->second;
   }
 
  private:
@@ -118,14 +156,16 @@ class TextReader {
 
   const Manipulator& robot_;
   const QuestionTexts& texts_;
+  const QuestionFlags& flags_;
   Problems& problems_;
 };
 
 /// What is asked.
 template <class Question>
-Question read_question(const Manipulator& robot, const QuestionTexts& texts, Problems& problems) {
+Question read_question(const Manipulator& robot, const QuestionTexts& texts, Problems& problems,
+                       const QuestionFlags& flags = {}) {
   Question question;
-  TextReader reader(robot, texts, problems);
+  TextReader reader(robot, texts, flags, problems);
   describe(reader, question);
   return question;
 }

@@ -170,7 +170,11 @@ def test_trajectories(robot, aspects):
     assert joints.answer == "yes"
     chosen = robot.choose([0, 1], [(4.5, 8), (4, 8)], map=aspects)
     assert chosen["answer"] == "yes" and {mode["aspect"] for mode in chosen["modes"]} <= {1, 3, 8, 9}
-    assert robot.choose_region({"x": (4, 5), "y": (7, 8)})["answer"] == "yes"
+    changed = robot.choose([0, 1], [(2, -7), (8.4, 8.8)], changes=True)
+    assert changed["answer"] == "no" and changed["with_changes"]["answer"] == "yes"
+    assert changed["with_changes"]["changes"][0]["leg"] in robot.legs
+    region = robot.choose_region({"x": (4, 5), "y": (7, 8)})
+    assert region["answer"] == "yes" and region["region"]["x"] == (4, 5) and region["prefer"] is None
 
 
 def test_planned_segments_keep_the_sign(robot, aspects):

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tables of docs/command.md are the lists of fields.
+#include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
 #include "parallel_aspects/ask/plan.h"
@@ -51,6 +52,9 @@ TEST(DocumentedFields, AreThoseOfTheAnswers) {
   expect_documented<ask::PlanAnswer>();
   expect_documented<ask::ConnectAnswer>();
   expect_documented<ask::ConnectionInMode>();
+  expect_documented<ask::ChooseAnswer>();
+  expect_documented<ModeOnPath>();
+  expect_documented<ModeInRegion>();
   expect_documented<ask::DistanceAnswer>();
   expect_documented<ask::DistancesInMode>();
   expect_documented<ask::DistanceTo>();

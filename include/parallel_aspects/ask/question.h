@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 // A question and an answer are structs, each with one list of its fields, a function
@@ -40,6 +41,14 @@ struct Count {
 struct LegIndex {
   std::size_t index = 0;  ///< in the order of the legs
 };
+
+/// That one, or none.
+inline std::optional<LegIndex> leg_or_none(const std::optional<std::size_t>& leg) {
+  return leg ? std::make_optional(LegIndex{*leg}) : std::nullopt;
+}
+
+/// Numbers by name.
+using NamedValues = std::vector<std::pair<std::string, double>>;
 
 /// A range of a coordinate or joint.
 struct NamedRange {

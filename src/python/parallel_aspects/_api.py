@@ -254,18 +254,21 @@ class Robot:
         self,
         times: "np.typing.ArrayLike",
         poses: "np.typing.ArrayLike",
-        prefer: str = "clear",
+        prefer: Optional[str] = None,
         map: Optional[Map] = None,  # pylint: disable=redefined-builtin
+        *,
+        progress: Progress = None,
+        **options: Any,
     ) -> Dict[str, Any]:
-        """In which working modes a path can be done, the best first, as `aspects choose --path` says in JSON. prefer:
-        "clear", "travel" or "fast"; a map tells aspects."""
+        """In which working modes a path can be done, the best first, as of `aspects choose --path`: times of shape (n,), poses
+        of shape (n, k). A map tells aspects; by default one is made with one or two degrees of freedom."""
         core = None if map is None else map._core  # pylint: disable=protected-access
-        return self._core.choose(_times(times), array("poses", poses), prefer, core)
+        return self._core.choose(_times(times), array("poses", poses), {"prefer": prefer, **options}, core, progress)
 
-    def choose_region(self, region: Ranges, slice: "Optional[Values]" = None) -> Dict[str, Any]:  # pylint: disable=redefined-builtin
-        """In which working modes all of a box of poses lies in one aspect, as {"x": (-1, 1), "y": (0, 2)}; the answer is
-        that of `aspects choose --region` in JSON."""
-        return self._core.choose_region(ranges_text(region), values_text(slice))
+    def choose_region(self, region: Ranges, slice: "Optional[Values]" = None, progress: Progress = None) -> Dict[str, Any]:  # pylint: disable=redefined-builtin
+        """In which working modes all of a box of poses lies in one aspect, as {"x": (-1, 1), "y": (0, 2)}, as of `aspects
+        choose --region`."""
+        return self._core.choose(None, None, {"region": region, "slice": slice}, None, progress)
 
     def connect(
         self, start: "np.typing.ArrayLike", goal: "np.typing.ArrayLike", *, progress: Progress = None, **options: Any
@@ -357,6 +360,7 @@ class Robot:
 
 documented(Robot.plan, _core.plan_question())
 documented(Robot.connect, _core.connect_question())
+documented(Robot.choose, _core.choose_question())
 documented(Robot.distance, _core.distance_question())
 documented(Robot.workspace, _core.workspace_question())
 

@@ -78,71 +78,35 @@ ChangeOfPosture change_message(const Manipulator& manipulator, const PostureChan
   return message;
 }
 
-/// Where a name stands; the end where it does not.
-std::size_t place(const Names& names, const std::string& name) {
-  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
-void require_names(const Names& given, const Names& known, Problems& problems) {
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    if (place(known, given[i]) == known.size())
-      problems.push_back("'" + given[i] + "' is no coordinate of this robot's poses; leave it out.");
-    if (place(given, given[i]) != i)
-      problems.push_back("coordinates has '" + given[i] + "' twice; name it once.");
-  }
-}
-
 }  // namespace
 
-RegionQuestion region_of(const Manipulator& manipulator, const ChooseWorkingMode::Request& request,
-                         Problems& problems) {
-  RegionQuestion question;
-  if (request.lower.size() != request.coordinates.size() ||
-      request.upper.size() != request.coordinates.size()) {
-    problems.emplace_back("coordinates, lower and upper must have as many entries each.");
-    return question;
-  }
+Status read_region(const Manipulator& manipulator, const ChooseWorkingMode::Request& request,
+                   ask::ChooseQuestion& question) {
+  const Names& names = request.coordinates;
+  if (names.empty() || request.lower.size() != names.size() || request.upper.size() != names.size())
+    return invalid_request("coordinates, lower and upper must have as many entries each, one or more.");
   std::vector<HeldCoordinate> held;
-  for (std::size_t i = 0; i < request.coordinates.size(); ++i)
-    if (request.lower[i] == request.upper[i]) held.push_back({request.coordinates[i], request.lower[i]});
-  if (!held.empty()) question.slice = make_slice(manipulator, held, problems);
-  if (!problems.empty()) return question;
-  const Names names =
-      question.slice ? coordinate_names(*question.slice) : coordinate_names(manipulator.task_space());
-  if (names.size() > max_map_dimension) return question;  // refused, with what to hold
-  Names known = names;
-  for (const HeldCoordinate& each : held) known.push_back(each.name);
-  require_names(request.coordinates, known, problems);
-  question.region.dimension = names.size();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::size_t at = place(request.coordinates, names[i]);
-    if (at == request.coordinates.size()) {
-      problems.push_back("coordinates has no range of " + names[i] + "; give one, or hold it by equal ends.");
-      continue;
-    }
-    question.region.lower[i] = request.lower[at];
-    question.region.upper[i] = request.upper[at];
-  }
-  return question;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (request.lower[i] == request.upper[i])
+      held.push_back({names[i], request.lower[i]});
+    else
+      question.region.push_back({names[i], request.lower[i], request.upper[i]});
+  Problems problems;
+  if (!held.empty()) question.hold = make_slice(manipulator, held, problems);
+  return problems.empty() ? Status() : invalid_request(problems.front());
 }
 
-void write_choice(const PathChoice& choice, ChooseWorkingMode::Response& response) {
-  response.answer = answer_message(choice.answer);
-  response.reason = choice.reason;
-  for (const ModeOnPath& mode : choice.modes) response.modes.push_back(choice_message(mode));
-}
-
-void write_choice(const Manipulator& manipulator, const RegionChoice& choice,
+void write_choice(const Manipulator& manipulator, const ask::ChooseAnswer& answer,
                   ChooseWorkingMode::Response& response) {
-  response.answer = answer_message(choice.answer);
-  response.reason = choice.reason;
-  for (const ModeInRegion& mode : choice.modes) response.modes.push_back(choice_message(manipulator, mode));
-  if (choice.apart)
-    response.apart = {in_base(manipulator, choice.apart->first), in_base(manipulator, choice.apart->second)};
-}
-
-void write_changes(const Manipulator& manipulator, const ChangingPath& path,
-                   ChooseWorkingMode::Response& response) {
+  response.answer = answer_message(answer.verdict());
+  response.reason = answer.reason();
+  for (const ModeOnPath& mode : answer.path.modes) response.modes.push_back(choice_message(mode));
+  for (const ModeInRegion& mode : answer.region.modes)
+    response.modes.push_back(choice_message(manipulator, mode));
+  for (const Pose& pose : answer.apart().value_or(std::vector<Pose>()))
+    response.apart.push_back(in_base(manipulator, pose));
+  if (!answer.with_changes) return;
+  const ChangingPath& path = *answer.with_changes;
   response.answer_with_changes = answer_message(path.answer);
   response.reason_with_changes = path.reason;
   if (!path.pieces.empty()) response.first_mode = signs_message(path.pieces.front().mode);

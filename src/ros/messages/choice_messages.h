@@ -2,25 +2,22 @@
 #ifndef PARALLEL_ASPECTS_ROS_MESSAGES_CHOICE_MESSAGES_H
 #define PARALLEL_ASPECTS_ROS_MESSAGES_CHOICE_MESSAGES_H
 
+#include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/ask/connect.h"
-#include "parallel_aspects/motion/choose_working_mode.h"
 
 #include <parallel_aspects/ChooseWorkingMode.h>
 #include <parallel_aspects/ModeConnection.h>
+#include <parallel_aspects/Status.h>
 
 namespace parallel_aspects {
 
-/// The question that a request about a region asks: a coordinate whose ends are equal is held. What is wrong
-/// with it is added to `problems`.
-RegionQuestion region_of(const Manipulator& manipulator, const ChooseWorkingMode::Request& request,
-                         Problems& problems);
+/// Reads the region that a request is about: a coordinate whose ends are equal is held.
+Status read_region(const Manipulator& manipulator, const ChooseWorkingMode::Request& request,
+                   ask::ChooseQuestion& question);
 
-/// Writes the answers into a response.
-void write_choice(const PathChoice& choice, ChooseWorkingMode::Response& response);
-void write_choice(const Manipulator& manipulator, const RegionChoice& choice,
+/// Writes an answer into a response.
+void write_choice(const Manipulator& manipulator, const ask::ChooseAnswer& answer,
                   ChooseWorkingMode::Response& response);
-void write_changes(const Manipulator& manipulator, const ChangingPath& path,
-                   ChooseWorkingMode::Response& response);
 
 ModeConnection connection_message(const Manipulator& manipulator, const ask::ConnectionInMode& connection);
 

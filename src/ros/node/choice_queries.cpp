@@ -50,38 +50,30 @@ ChooseWorkingMode::Response ChoiceQueries::answer(const ChooseWorkingMode::Reque
   else if (!foreign.empty())
     response.status = invalid_request(foreign);
   else
-    response.status = request.kind == ChooseWorkingMode::Request::PATH ? choose_for_path(request, response)
-                                                                       : choose_for_region(request, response);
+    response.status = choose(request, response);
   return response;
 }
 
-Status ChoiceQueries::choose_for_path(const ChooseWorkingMode::Request& request,
-                                      ChooseWorkingMode::Response& response) const {
-  PathChoiceOptions options;
-  const auto preference = request.prefer.empty() ? Preference::clear : preference_named(request.prefer);
-  if (!preference) return invalid_request("prefer must be clear, travel or fast, or empty for clear.");
-  options.preference = *preference;
-  std::vector<PoseWaypoint> waypoints;
-  Status status = read_path(request, waypoints);
+Status ChoiceQueries::choose(const ChooseWorkingMode::Request& request,
+                             ChooseWorkingMode::Response& response) const {
+  ask::ChooseQuestion question;
+  question.brief = true;
+  question.changes = request.changes;
+  std::string names;
+  if (!request.prefer.empty() && !(question.prefer = ask::choice_named<Preference>(request.prefer, names)))
+    return invalid_request("prefer must be " + names + ", or empty for clear.");
+  Status status;
+  if (request.kind == ChooseWorkingMode::Request::PATH)
+    status = read_path(request, question.path.emplace());
+  else
+    status = read_region(*manipulator_, request, question);
   if (status.code != Status::OK) return status;
-  const Problems problems = problems_of(*manipulator_, waypoints, *preference);
-  if (!problems.empty()) return invalid_request(problems.front());
-  const auto map = worker_.map();
-  options.map = map.get();
-  write_choice(choose_working_mode(*session_.certifier(), waypoints, options), response);
-  if (request.changes)
-    write_changes(*manipulator_, choose_posture_changes(*session_.certifier(), waypoints), response);
+  ask::Session session(manipulator_);  // for one thread at a time, so that long questions do not wait
+  session.know(worker_.map());
+  const auto outcome = ask::answer(session, question);
+  if (!outcome) return invalid_request(text_of(outcome.problems.front(), ask::plain_name));
+  write_choice(*manipulator_, outcome.answer, response);
   return status;
-}
-
-Status ChoiceQueries::choose_for_region(const ChooseWorkingMode::Request& request,
-                                        ChooseWorkingMode::Response& response) const {
-  Problems problems;
-  const RegionQuestion question = region_of(*manipulator_, request, problems);
-  if (problems.empty()) problems = problems_of(*manipulator_, question);
-  if (!problems.empty()) return invalid_request(problems.front());
-  write_choice(*manipulator_, choose_working_mode(manipulator_, question), response);
-  return {};
 }
 
 Status ChoiceQueries::read_path(const ChooseWorkingMode::Request& request,

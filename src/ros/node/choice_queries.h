@@ -30,10 +30,7 @@ class ChoiceQueries {
   Connect::Response answer(const Connect::Request& request) const;
 
  private:
-  Status choose_for_path(const ChooseWorkingMode::Request& request,
-                         ChooseWorkingMode::Response& response) const;
-  Status choose_for_region(const ChooseWorkingMode::Request& request,
-                           ChooseWorkingMode::Response& response) const;
+  Status choose(const ChooseWorkingMode::Request& request, ChooseWorkingMode::Response& response) const;
   Status read_path(const ChooseWorkingMode::Request& request, std::vector<PoseWaypoint>& waypoints) const;
   ask::Outcome<ask::ConnectAnswer> connect(const ask::ConnectQuestion& question) const;
 

@@ -25,9 +25,18 @@ json JsonWriter::json_of(const std::vector<HeldCoordinate>& values) const {
   return object;
 }
 
-json JsonWriter::json_of(const std::vector<std::pair<std::string, double>>& values) const {
+json JsonWriter::json_of(const ask::NamedValues& values) const {
   json object = json::object();
   for (const auto& [name, value] : values) object[name] = json_of(value);
+  return object;
+}
+
+json JsonWriter::json_of(const std::vector<ask::NamedRange>& ranges) const {
+  json object;
+  for (const ask::NamedRange& each : ranges) {
+    object["lower"][each.name] = json_of(each.lower);
+    object["upper"][each.name] = json_of(each.upper);
+  }
   return object;
 }
 

@@ -64,7 +64,8 @@ class JsonWriter {
   nlohmann::json json_of(const TaskVector& values) const;
   /// Objects by name.
   nlohmann::json json_of(const std::vector<HeldCoordinate>& values) const;
-  nlohmann::json json_of(const std::vector<std::pair<std::string, double>>& values) const;
+  nlohmann::json json_of(const ask::NamedValues& values) const;
+  nlohmann::json json_of(const std::vector<ask::NamedRange>& ranges) const;  ///< "lower" and "upper" of all
   nlohmann::json json_of(ask::LegIndex leg) const { return robot_.leg(leg.index).name; }
   nlohmann::json json_of(const MapSlice& slice) const;
   nlohmann::json json_of(const CuspStart& start) const;

@@ -3,16 +3,17 @@
 #include "model/pose_text.h"
 #include "model/spherical_links.h"
 #include "motion/check/check_text.h"
+#include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 #include "tools/arguments.h"
 #include "tools/command_line.h"
 #include "tools/computation.h"
 #include "tools/drawing/check_drawing.h"
 #include "tools/motion_report/check_table.h"
-#include "tools/motion_report/violation_report.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
 #include "tools/paths/trajectory_file.h"
+#include "tools/report/answer_json.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
@@ -43,7 +44,7 @@ struct CheckedTrajectory {
 };
 
 json json_crossing(const Manipulator& manipulator, const TrajectoryCrossing& crossing) {
-  return {{"kind", name_of(crossing.kind)},
+  return {{"kind", name(crossing.kind)},
           {"leg", crossing.leg ? json(manipulator.leg(*crossing.leg).name) : json()},
           {"after", crossing.after},
           {"before", crossing.before},
@@ -87,7 +88,7 @@ json json_check(const Manipulator& manipulator, const TrajectoryCheck& check) {
                  {"not_followed", check.not_followed.empty() ? json() : json(check.not_followed)},
                  {"least_index", {{"parallel", json_least(check.parallel_index)}, {"serial", serial}}},
                  {"speeds", json_speeds(manipulator, check)}};
-  if (check.violation) object["first_violation"] = json_violation(manipulator, *check.violation);
+  if (check.violation) object["first_violation"] = JsonWriter(manipulator).json_of(*check.violation);
   for (const TrajectoryCrossing& crossing : check.crossings)
     object["crossings"].push_back(json_crossing(manipulator, crossing));
   return object;
