@@ -4,6 +4,7 @@
 #include "model/number_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace parallel_aspects::ask {
@@ -42,7 +43,9 @@ Box box_of(const std::string& field, const std::vector<std::string>& names,
     const auto i = static_cast<std::size_t>(name - names.begin());
     if (given[i]) refuse("names " + *name + " twice", "give one range");
     given[i] = true;
-    if (!(range.lower < range.upper))
+    if (!std::isfinite(range.lower) || !std::isfinite(range.upper))
+      refuse("has " + text_of(range) + ", which is not finite", example);
+    else if (!(range.lower < range.upper))
       refuse("has " + text_of(range) + ", whose lower end is not below the upper", example);
     box.lower[i] = range.lower;
     box.upper[i] = range.upper;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 namespace parallel_aspects::tools {
@@ -21,11 +22,15 @@ std::optional<std::pair<std::string, std::vector<double>>> named_numbers(const s
     problems.push_back(option + " has '" + word + "'; give " + example + ".");
     return std::nullopt;
   }
+  const std::size_t known = problems.size();
   std::vector<double> numbers;
   for (const std::string& part : parts)
     for (const double number : parse_numbers(option, part, {word.substr(0, equals)}, problems))
       numbers.push_back(number);
-  if (numbers.size() != count) return std::nullopt;
+  if (problems.size() > known) {  // told already; what follows says no more of it
+    numbers.resize(count);
+    std::iota(numbers.begin(), numbers.end(), 0.0);
+  }
   return std::pair{word.substr(0, equals), std::move(numbers)};
 }
 

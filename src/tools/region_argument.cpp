@@ -6,9 +6,7 @@ namespace parallel_aspects::tools {
 
 Box parse_region(const std::string& option, const std::vector<std::string>& names, const std::string& text,
                  Problems& problems) {
-  const std::size_t known = problems.size();
   const auto ranges = parse_ranges(option, text, problems, ask::example_of_ranges(names));
-  if (problems.size() > known) return {};
   ask::ProblemList found;
   const Box box = ask::box_of("region", names, ranges, found);
   for (const std::string& each : texts_of(found, [&option](const std::string&) { return option; }))

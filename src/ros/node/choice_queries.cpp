@@ -71,7 +71,10 @@ Status ChoiceQueries::choose(const ChooseWorkingMode::Request& request,
   ask::Session session(manipulator_);  // for one thread at a time, so that long questions do not wait
   session.know(worker_.map());
   const auto outcome = ask::answer(session, question);
-  if (!outcome) return invalid_request(text_of(outcome.problems.front(), ask::plain_name));
+  const auto field_of_request = [](const std::string& field) {
+    return field == "region" ? std::string("The region") : field;
+  };
+  if (!outcome) return invalid_request(text_of(outcome.problems.front(), field_of_request));
   write_choice(*manipulator_, outcome.answer, response);
   return status;
 }

@@ -145,11 +145,11 @@ TEST_F(ChoiceServices, BadQuestionsAreRefusedInOneSentence) {
   expect_refused(bad, "kind");
   bad.kind = Question::REGION;
   expect_refused(bad, "no path");
-  expect_refused(region(3.0, 2.0, 5.0, 8.0), "empty");
+  expect_refused(region(3.0, 2.0, 5.0, 8.0), "below the upper");
   expect_refused(region(nan, 2.0, 5.0, 8.0), "finite");
   Question other = region(3.0, 6.0, 5.0, 8.0);
   other.coordinates[0] = "w";
-  expect_refused(other, "'w'");
+  expect_refused(other, "'w=");
   other.coordinates = {"x", "x"};
   expect_refused(other, "twice");
   other.coordinates = {"x"};
