@@ -3,7 +3,7 @@
 
 #include "model/number_text.h"
 #include "urdf/closing/held_twists.h"
-#include "urdf/closing/idle_chains.h"
+#include "urdf/closing/loose_chains.h"
 
 #include <algorithm>
 #include <map>

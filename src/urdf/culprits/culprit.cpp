@@ -3,9 +3,9 @@
 
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/anchors.h"
-#include "urdf/corrections/like_closures.h"
 #include "urdf/corrections/named_ends.h"
 #include "urdf/culprits/correction_search.h"
+#include "urdf/culprits/like_closures.h"
 #include "urdf/culprits/misfit_axes.h"
 #include "urdf/culprits/misplaced_ends.h"
 #include "urdf/culprits/single_freedom.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_URDF_CLOSING_IDLE_CHAINS_H
-#define PARALLEL_ASPECTS_URDF_CLOSING_IDLE_CHAINS_H
+#ifndef PARALLEL_ASPECTS_URDF_CLOSING_LOOSE_CHAINS_H
+#define PARALLEL_ASPECTS_URDF_CLOSING_LOOSE_CHAINS_H
 
 #include "urdf/closing/chain.h"
 
@@ -16,4 +16,4 @@ std::vector<std::vector<Chain>> chains_that_hold_nothing(const AssembledMechanis
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_URDF_CLOSING_IDLE_CHAINS_H
+#endif  // PARALLEL_ASPECTS_URDF_CLOSING_LOOSE_CHAINS_H

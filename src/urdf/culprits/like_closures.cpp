@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/corrections/like_closures.h"
+#include "urdf/culprits/like_closures.h"
 
 #include "model/linear_algebra.h"
 #include "urdf/closing/assembly.h"
@@ -20,8 +20,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double other_axis = 0.01;  // sine of the angle to the axis that is stated, at least
-constexpr double decimal = 1e-6;     // to which axes are said
+constexpr double other_axis = 0.01;    // sine of the angle to the axis that is stated, at least
+constexpr double axis_decimal = 1e-6;  // to which axes are said
 
 using Group = std::vector<std::size_t>;  // of closures
 
@@ -92,7 +92,7 @@ class AxesFinder {
     Eigen::Index largest = 0;
     axis.cwiseAbs().maxCoeff(&largest);
     if (axis[largest] < 0.0) axis = -axis;
-    return (axis / decimal).array().round().matrix() * decimal;
+    return (axis / axis_decimal).array().round().matrix() * axis_decimal;
   }
 
   const std::shared_ptr<const Tree>& tree_;

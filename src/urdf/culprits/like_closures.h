@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_URDF_CORRECTIONS_LIKE_CLOSURES_H
-#define PARALLEL_ASPECTS_URDF_CORRECTIONS_LIKE_CLOSURES_H
+#ifndef PARALLEL_ASPECTS_URDF_CULPRITS_LIKE_CLOSURES_H
+#define PARALLEL_ASPECTS_URDF_CULPRITS_LIKE_CLOSURES_H
 
 #include "urdf/corrections/correction.h"
 
@@ -22,4 +22,4 @@ Corrections types_of_like_closures(const ResolvedConfig& resolved, ClosureType t
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_URDF_CORRECTIONS_LIKE_CLOSURES_H
+#endif  // PARALLEL_ASPECTS_URDF_CULPRITS_LIKE_CLOSURES_H
