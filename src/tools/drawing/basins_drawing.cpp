@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/drawing/basins_drawing.h"
-
+#include "tools/drawing/result_charts.h"
 #include "tools/drawing/svg.h"
 #include "tools/report/basins_report.h"
 #include "tools/report/reports.h"

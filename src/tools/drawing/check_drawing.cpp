@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/drawing/check_drawing.h"
-
 #include "aspects/pictures/palette.h"
 #include "model/number_text.h"
 #include "tools/drawing/page_elements.h"
+#include "tools/drawing/result_charts.h"
 #include "tools/drawing/svg.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/drawing/graph_drawing.h"
-
 #include "tools/drawing/gate_line.h"
+#include "tools/drawing/result_charts.h"
 #include "tools/drawing/svg.h"
 #include "tools/report/report.h"
 

@@ -8,7 +8,7 @@
 #include "tools/arguments.h"
 #include "tools/command_line.h"
 #include "tools/computation.h"
-#include "tools/drawing/check_drawing.h"
+#include "tools/drawing/result_charts.h"
 #include "tools/motion_report/check_table.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"

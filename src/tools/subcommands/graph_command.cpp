@@ -3,7 +3,7 @@
 #include "parallel_aspects/motion/roadmap_graph.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
-#include "tools/drawing/graph_drawing.h"
+#include "tools/drawing/result_charts.h"
 #include "tools/map_choice.h"
 #include "tools/motion_report/plan_report.h"
 #include "tools/output_file.h"

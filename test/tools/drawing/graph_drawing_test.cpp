@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/drawing/graph_drawing.h"
-
+#include "tools/drawing/result_charts.h"
 #include "tools/drawing/gate_line.h"
 
 #include <gtest/gtest.h>
