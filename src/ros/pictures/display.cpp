@@ -166,13 +166,15 @@ void Display::publish_position(const Drawn& now, const std::string& words) {
 // The robot itself where rviz has no visuals of it; while it is not known which one it is, all that it may
 // be.
 void Display::draw_robots(const Drawn& now, std::vector<visualization_msgs::Marker>& markers) const {
-  const auto draw = [&](const Pose& pose, const JointVector& q, const std::string& group) {
-    for (auto& each : visuals_.skeleton_at(pose, q, group, ink())) markers.push_back(std::move(each));
+  const auto draw = [&](const Pose& pose, const JointVector& q, const std::string& group,
+                        const std_msgs::ColorRGBA& shade) {
+    for (auto& each : visuals_.skeleton_at(pose, q, group, shade)) markers.push_back(std::move(each));
   };
-  if (now && visuals_.empty()) draw(now->solved.pose, now->solved.q, "robot");
+  if (now && visuals_.empty()) draw(now->solved.pose, now->solved.q, "robot", ink());
   if (now) return;
   for (std::size_t i = 0; i < candidates_.size(); ++i)
-    draw(candidates_[i].first, candidates_[i].second, "candidate_" + std::to_string(i + 1));
+    draw(candidates_[i].first, candidates_[i].second, "candidate_" + std::to_string(i + 1),
+         candidate_color(i));
 }
 
 std::string Display::caption(const CurrentConfiguration& current, const std::string& map_message) const {

@@ -70,8 +70,10 @@ visualization_msgs::MarkerArray GaugePicture::gallery(const Drawn&) const {
   const double unit = row_height();
   batch.text(plane_, "gauges/title", {3.0 * unit, top_ - 0.2 * unit}, 0.0, 0.5 * unit,
              "indices that are 0 at a singularity", ink());
-  batch.text(plane_, "gauges/legend", {3.0 * unit, top_ - 0.9 * unit}, 0.0, 0.4 * unit,
-             "parallel: red, serial: blue", ink());
+  batch.text(plane_, "gauges/legend", {1.8 * unit, top_ - 0.9 * unit}, 0.0, 0.4 * unit, "parallel",
+             color(boundary_color(BoundaryKind::parallel)));
+  batch.text(plane_, "gauges/legend", {4.2 * unit, top_ - 0.9 * unit}, 0.0, 0.4 * unit, "serial",
+             color(boundary_color(BoundaryKind::serial)));
   return batch.take();
 }
 

@@ -5,6 +5,7 @@
 #include "ros/pictures/picture_parts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -19,6 +20,44 @@ constexpr int robot_cells = 160, tile_cells = 72, joint_cells = 40;
 
 // Where a label of an aspect has most room.
 Vector2d label_point(const Aspect& aspect) { return aspect.deepest.position.head<2>(); }
+
+// Heights of the fills of a tile, one over the other, as a share of that of texts: below its frame.
+constexpr double stack_height = 0.01;
+
+// Points across the window of joint values at which projections are compared, and how many they share at
+// their borders at most.
+constexpr int compared_points = 64, shared_at_borders = 16;
+
+/// Whether each point of a lattice of the window is in one of the triangles.
+std::vector<bool> covered(const Points& triangles, const JointWindow& window) {
+  std::vector<bool> inside(compared_points * compared_points, false);
+  const Vector2d step = (window.upper - window.lower) / compared_points;
+  const auto cross = [](const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); };
+  const auto index = [](double at) {
+    return std::clamp(static_cast<int>(std::ceil(at - 0.5)), 0, compared_points);
+  };
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
+    const Vector2d &a = triangles[i], &b = triangles[i + 1], &c = triangles[i + 2];
+    const Vector2d first = (a.cwiseMin(b).cwiseMin(c) - window.lower).cwiseQuotient(step),
+                   last = (a.cwiseMax(b).cwiseMax(c) - window.lower).cwiseQuotient(step);
+    for (int row = index(first.y()); row < index(last.y()); ++row)
+      for (int column = index(first.x()); column < index(last.x()); ++column) {
+        const Vector2d at = window.lower + step.cwiseProduct(Vector2d(column + 0.5, row + 0.5));
+        if (cross(b - a, at - a) >= 0.0 && cross(c - b, at - b) >= 0.0 && cross(a - c, at - c) >= 0.0)
+          inside[static_cast<std::size_t>(row * compared_points + column)] = true;
+      }
+  }
+  return inside;
+}
+
+bool overlap(const std::vector<const Points*>& images, const JointWindow& window) {
+  std::vector<int> counts(compared_points * compared_points, 0);
+  for (const Points* image : images) {
+    const std::vector<bool> inside = covered(*image, window);
+    for (std::size_t i = 0; i < inside.size(); ++i) counts[i] += inside[i] ? 1 : 0;
+  }
+  return std::count_if(counts.begin(), counts.end(), [](int count) { return count > 1; }) > shared_at_borders;
+}
 
 std::string range_text(const JointWindow& window, const Manipulator& manipulator, std::size_t leg) {
   const auto axis = static_cast<Eigen::Index>(leg);
@@ -54,12 +93,21 @@ void MapPicture::add_mode(const WorkingMode& mode) {
   const BoundaryPicture pieces = trace_slice(*map_, mode, all, bounds, joint_cells, Cells::single);
   BoundaryPicture tile = trace_slice(*map_, mode, all, bounds, tile_cells);
   auto joint_boundary = projection_.images(tile.segments, mode);
-  modes_.push_back(
-      {mode, trace_slice(*map_, mode, all, bounds, robot_cells), std::move(tile), std::move(joint_boundary)});
+  std::vector<const Points*> images;
+  for (const int id : aspects_of(mode)) {
+    Points& image = joint_triangles_[static_cast<std::size_t>(id - 1)];
+    image = projection_.triangles(id, pieces.slivers);
+    images.push_back(&image);
+  }
+  modes_.push_back({mode, trace_slice(*map_, mode, all, bounds, robot_cells), std::move(tile),
+                    std::move(joint_boundary), overlap(images, projection_.window())});
+}
+
+std::vector<int> MapPicture::aspects_of(const WorkingMode& mode) const {
+  std::vector<int> ids;
   for (const Aspect& aspect : map_->aspects())
-    if (aspect.mode == mode)
-      joint_triangles_[static_cast<std::size_t>(aspect.id - 1)] =
-          projection_.triangles(aspect.id, pieces.slivers);
+    if (aspect.mode == mode) ids.push_back(aspect.id);
+  return ids;
 }
 
 visualization_msgs::MarkerArray MapPicture::gallery(const Drawn&) const {
@@ -146,6 +194,17 @@ void MapPicture::outline_in_gallery(std::size_t column, int aspect, MarkerBatch&
       modes_[column].joint_boundary, aspect,
       [&](const Vector2d& q) { return layout_.in_joint_tile(q, column); }, style, joint_spaces_,
       "joint_space", batch);
+  if (modes_[column].overlaps) draw_over_others(column, aspect, batch);
+}
+
+// The present aspect over the others, below the outlines of all.
+void MapPicture::draw_over_others(std::size_t column, int aspect, MarkerBatch& batch) const {
+  if (aspect == 0) return;
+  const double text = layout_.text_height();
+  batch.triangles(joint_spaces_, "joint_space/present",
+                  placed(joint_triangles_[static_cast<std::size_t>(aspect - 1)],
+                         [&](const Vector2d& q) { return layout_.in_joint_tile(q, column); }),
+                  height_of(Layer::fill, text) + 1.5 * stack_height * text, colors_.of(aspect));
 }
 
 void MapPicture::draw_workspace_tile(std::size_t column, MarkerBatch& batch) const {
@@ -166,14 +225,16 @@ void MapPicture::draw_workspace_tile(std::size_t column, MarkerBatch& batch) con
 void MapPicture::draw_joint_tile(std::size_t column, MarkerBatch& batch) const {
   const double text = layout_.text_height();
   const Placing place = [&](const Vector2d& q) { return layout_.in_joint_tile(q, column); };
+  const ModePicture& picture = modes_[column];
+  const std::vector<int> ids = aspects_of(picture.mode);
   double height = height_of(Layer::fill, text);
-  for (const Aspect& aspect : map_->aspects()) {
-    if (aspect.mode != modes_[column].mode) continue;
+  for (const int id : ids) {
     batch.triangles(joint_spaces_, "joint_space/aspects",
-                    placed(joint_triangles_[static_cast<std::size_t>(aspect.id - 1)], place), height,
-                    colors_.of(aspect.id));
-    height += 0.001 * text;  // projections overlap where there are several assembly modes
+                    placed(joint_triangles_[static_cast<std::size_t>(id - 1)], place), height,
+                    colors_.of(id));
+    height += stack_height * text / static_cast<double>(ids.size());
   }
+  if (picture.overlaps) draw_several(column, ids, batch);
   draw_curves(modes_[column].joint_boundary, place, {text, 0.06 * text}, joint_spaces_, "joint_space", batch);
   batch.lines(joint_spaces_, "joint_space/window",
               rectangle(layout_.joint_tile_center(column), layout_.joint_tile_size()),
@@ -206,9 +267,21 @@ void MapPicture::draw_titles(std::size_t column, MarkerBatch& batch) const {
   }
 }
 
+// Projections overlap where there are several assembly modes; what is below is seen by its outline.
+void MapPicture::draw_several(std::size_t column, const std::vector<int>& ids, MarkerBatch& batch) const {
+  const double text = layout_.text_height();
+  const Placing place = [&](const Vector2d& q) { return layout_.in_joint_tile(q, column); };
+  for (const int id : ids)
+    draw_colored_outline(modes_[column].joint_boundary, id, place, {text, 0.06 * text}, colors_.of(id),
+                         joint_spaces_, "joint_space/outlines", batch);
+  const Vector2d below(0.0, 0.5 * layout_.joint_tile_size().y() + 2.6 * text);
+  batch.text(joint_spaces_, "joint_space/several", layout_.joint_tile_center(column) - below,
+             height_of(Layer::text, text), 0.6 * text, "several aspects, one over another", ink());
+}
+
 void MapPicture::draw_legend(MarkerBatch& batch) const {
   const double text = layout_.text_height();
-  const Vector2d below(0.0, -0.5 * layout_.joint_tile_size().y() - 3.2 * text);
+  const Vector2d below(0.0, -0.5 * layout_.joint_tile_size().y() - 4.0 * text);
   const Vector2d step = layout_.joint_tile_center(1) - layout_.joint_tile_center(0);
   std::vector<BoundarySegment> all;
   for (const ModePicture& mode : modes_)

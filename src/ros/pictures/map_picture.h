@@ -36,14 +36,18 @@ class MapPicture : public Picture {
     WorkingMode mode;
     BoundaryPicture at_robot, tile;               // in the workspace, finely and less so
     std::vector<BoundarySegment> joint_boundary;  // in joint space
+    bool overlaps = false;                        // whether several aspects lie over the same joint values
   };
 
   std::optional<std::size_t> column_of(const WorkingMode& mode) const;
   void add_mode(const WorkingMode& mode);
   void draw_at_robot(const DrawnConfiguration& now, std::size_t column, MarkerBatch& batch) const;
   void outline_in_gallery(std::size_t column, int aspect, MarkerBatch& batch) const;
+  void draw_over_others(std::size_t column, int aspect, MarkerBatch& batch) const;
+  std::vector<int> aspects_of(const WorkingMode& mode) const;
   void draw_workspace_tile(std::size_t column, MarkerBatch& batch) const;
   void draw_joint_tile(std::size_t column, MarkerBatch& batch) const;
+  void draw_several(std::size_t column, const std::vector<int>& ids, MarkerBatch& batch) const;
   void draw_titles(std::size_t column, MarkerBatch& batch) const;
   void draw_legend(MarkerBatch& batch) const;
 

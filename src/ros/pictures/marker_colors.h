@@ -25,6 +25,9 @@ class AspectColors {
   std::vector<Rgb> colors_;
 };
 
+/// Of the skeletons of candidates, which differ from each other; they come again after `hue_count`.
+std_msgs::ColorRGBA candidate_color(std::size_t index);
+
 /// `share` of the way to white, 0 to 1.
 std_msgs::ColorRGBA lightened(const std_msgs::ColorRGBA& color, double share);
 

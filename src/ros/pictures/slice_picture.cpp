@@ -62,6 +62,19 @@ void fill(const BoundaryPicture& traced, const AspectColors& colors, const Placi
   }
 }
 
+// Whether the platform of a planar robot is as large as where its middle goes, so that it hides a slice below
+// it.
+bool is_hidden(const AspectMap& map) {
+  if (map.manipulator()->task_space() != TaskSpace::SE2) return false;
+  double radius = 0.0;
+  for (const Leg& leg : map.manipulator()->legs()) radius = std::max(radius, leg.anchor.norm());
+  Eigen::AlignedBox2d workspace;
+  for (const Aspect& aspect : map.aspects())
+    for (const auto& end : {aspect.bounds.lower, aspect.bounds.upper})
+      workspace.extend(Vector2d(end[0], end[1]));
+  return !workspace.isEmpty() && workspace.sizes().maxCoeff() < 2.0 * radius;
+}
+
 }  // namespace
 
 SlicePicture::SlicePicture(std::shared_ptr<const AspectMap> map, MarkerFrames frames, const Scene& scene,
@@ -182,16 +195,19 @@ visualization_msgs::MarkerArray SlicePicture::present(const Drawn& now) const {
 void SlicePicture::draw_at_robot(const DrawnConfiguration& now, MarkerBatch& batch) const {
   const PoseSlice slice = PoseSlice::through(space_, now.solved.pose);
   const BoundaryPicture traced = trace_slice(*map_, now.mode, slice, bounds_, slice_robot_cells);
-  // In front of the base, and behind or below the platform and its joints, which it would hide. One of T3 is
-  // also looked through: it comes seldom, so that a platform that moves fast may be below it.
-  const double height = (space_ == TaskSpace::T3 ? slice.level() : 0.0) - 0.02 * map_->manipulator()->size();
+  // In front of the base, and behind or below the platform and its joints, which it would hide; above a
+  // platform that would hide all of it. One of T3 is also looked through: it comes seldom, so that a platform
+  // that moves fast may be below it.
+  const bool is_above = is_hidden(*map_);
+  const double height = (space_ == TaskSpace::T3 ? slice.level() : 0.0) +
+                        (is_above ? 0.1 : -0.02) * map_->manipulator()->size();
   const MarkerBatch::Plane plane{frames_.base,
                                  map_->manipulator()->task_frame() * Eigen::Translation3d(0.0, 0.0, height),
                                  scene_.planar};  // seen at a flat angle, it would be dark
   const Placing place = [](const Vector2d& point) { return point; };
   const double unit = 0.06 * bounds_.sizes().maxCoeff();
   fill(traced, colors_, place, plane, "robot", 0.0, now.aspect == 0 ? -1 : now.aspect,
-       space_ == TaskSpace::T3 ? 0.6F : 1.0F, batch);
+       space_ == TaskSpace::T3 || is_above ? 0.6F : 1.0F, batch);
   draw_outline(traced.segments, now.aspect, place, {unit, 0.06 * unit}, plane, "robot", batch);
   draw_curves(traced.segments, place, {unit, 0.06 * unit}, plane, "robot", batch);
 }

@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/kinematics/inverse.h"
 #include "ros/pictures/caption.h"
+#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/marker_groups.h"
 
 #include <gtest/gtest.h>
@@ -134,6 +135,38 @@ TEST_F(SlicePictureOfADelta, TheSliceDoesNotHideThePlatform) {
   for (const Marker& marker : fills) {
     EXPECT_LT(marker.colors.front().a, 0.7F);
     EXPECT_LT(marker.pose.position.z + marker.points.front().z, now->solved.pose.position.z() - joints);
+  }
+}
+
+TEST(SlicePictureOfAPlanarRobot, IsSeenThroughAboveAPlatformThatWouldHideIt) {
+  const auto mechanism = test::shipped("three_prr");
+  MapOptions options;
+  options.resolution = 0.05;
+  options.extra_levels = 2;
+  const auto map = compute_aspect_map(mechanism->mapped_manipulator(), options).map;
+  ASSERT_TRUE(map);
+  const Aspect& aspect = map->aspects().front();
+  const SlicePicture picture(map, test::frames, scene_of(*mechanism, NodeOptions()), DisplayOptions());
+  const auto fills =
+      test::in_group(picture.present(DrawnConfiguration{
+                         aspect.mode,
+                         aspect.id,
+                         {aspect.deepest, inverse(*map->manipulator(), aspect.deepest, aspect.mode).q}}),
+                     "robot/aspects");
+  ASSERT_FALSE(fills.empty());
+  constexpr double tool = 0.115;  // how high the platform is in three_prr.urdf [m]
+  for (const Marker& marker : fills) {
+    const auto& colors = marker.colors;
+    EXPECT_LT(colors.empty() ? marker.color.a : colors.front().a, 0.7F);
+    EXPECT_GT(marker.pose.position.z + marker.points.front().z, tool);
+  }
+}
+
+TEST(CandidateColors, DifferFromEachOther) {
+  std::vector<std_msgs::ColorRGBA> colors{color(ink_color)};
+  for (std::size_t i = 0; i < hue_count; ++i) {
+    EXPECT_EQ(std::count(colors.begin(), colors.end(), candidate_color(i)), 0) << i;
+    colors.push_back(candidate_color(i));
   }
 }
 
