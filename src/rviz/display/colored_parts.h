@@ -33,13 +33,17 @@ struct ColoredLines {
 /// How high a label is, over the size of the robot.
 inline constexpr double id_height = 0.045;
 
+/// Of the legend, likewise, and from line to line over that.
+inline constexpr double legend_height = 0.028, legend_pitch = 1.35;
+
 /// Words, as the viewer sees them.
 struct Label {
   std::string text;
   std::uint32_t color = 0;
   Eigen::Vector3f at = Eigen::Vector3f::Zero();
-  double share = 1.0;  ///< of `id_height`
-  int aspect = 0;      ///< id of the aspect that it names; 0 for other words
+  double share = 1.0;   ///< of `id_height`
+  int aspect = 0;       ///< id of the aspect that it names; 0 for other words
+  double raised = 0.0;  ///< above its place as the viewer sees it, over its height
 };
 
 /// What is drawn together.

@@ -14,7 +14,7 @@ namespace parallel_aspects {
 namespace {
 
 // Over the size of the robot.
-constexpr double legend_height = 0.028, line_width = 0.004, outline_width = 0.008;
+constexpr double line_width = 0.004, outline_width = 0.008;
 
 constexpr double selected_height = 1.6;  // over that of ids that are not
 
@@ -62,10 +62,11 @@ DrawnPicture::DrawnPicture(const SurfacePicture& picture, const Look& look, rviz
       scene_(context->getSceneManager()),
       listeners_(listeners),
       standing_(parent->createChildSceneNode()),
-      moving_(standing_->createChildSceneNode()),
-      legend_(picture.legend.text) {
+      moving_(standing_->createChildSceneNode()) {
   add(picture.moving, moving_, picture.size, picture.is_cut);
   add(picture.standing, standing_, picture.size, false);
+  for (const Label& meaning : picture.meanings)
+    add_text(meaning, standing_, legend_height * picture.size, true);
   if (!picture.legend.text.empty()) add_text(picture.legend, standing_, legend_height * picture.size, true);
   set_look(look);
 }
@@ -116,6 +117,9 @@ void DrawnPicture::add_text(const Label& label, Ogre::SceneNode* parent, double 
   for (int side = 0; side < 4 && !is_legend; ++side) add_copy(label, halo_color, halo_queue, text);
   add_copy(label, label.color, words_queue, text);
   set_height(text.copies, static_cast<float>(height));
+  if (label.raised > 0.0)  // legends have no halo, whose copies have places of their own
+    text.copies.back()->setLocalTranslation(
+        Ogre::Vector3(0.0F, static_cast<float>(label.raised * height), 0.0F));
   if (label.aspect != 0) handles_.emplace_back(listeners_.of(label.aspect, false), text.node, context_);
   texts_.push_back(std::move(text));
 }
@@ -150,9 +154,8 @@ void DrawnPicture::set_look(const Look& look) {
 void DrawnPicture::set_head(const std::string& head) {
   if (head == head_) return;
   head_ = head;
-  const std::string words = head + legend_.substr(std::min(legend_.find('\n'), legend_.size()));
-  for (const Text& text : texts_)
-    if (text.is_legend) text.copies.back()->setCaption(words);
+  if (!texts_.empty() && texts_.back().is_legend)
+    texts_.back().copies.back()->setCaption(head);  // added last
 }
 
 void DrawnPicture::set_placement(const Ogre::Vector3& placement) { moving_->setPosition(placement); }

@@ -39,7 +39,7 @@ class DrawnPicture {
 
   void set_look(const Look& look);
 
-  /// What the legend says above the colours, in place of its first line, which may be out of date.
+  /// What the legend says above the colours, in place of what it said, which may be out of date.
   void set_head(const std::string& head);
 
   /// Where the moving part stands.
@@ -74,7 +74,7 @@ class DrawnPicture {
   std::vector<std::unique_ptr<rviz::BillboardLine>> lines_;
   std::vector<Text> texts_;
   std::vector<SurfaceHandle> handles_;
-  std::string legend_, head_;
+  std::string head_;
 };
 
 }  // namespace parallel_aspects

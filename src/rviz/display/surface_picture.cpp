@@ -203,14 +203,20 @@ class Composer {
 
   // Above the picture and the robot, as they are usually seen.
   void add_legend(const AlignedBox3d& here) {
-    std::string& words = picture_.legend.text;
-    words = where_words(choice_, robot_.task_space());
+    Eigen::Vector3f at = here.center().cast<float>();
+    at[up()] = static_cast<float>(here.max()[up()] + 0.06 * picture_.size);
+    double raised = 0.0;
+    const auto line = [&](const std::string& words, Rgb color) {
+      const Label result{words, color, at, 1.0, 0, raised};
+      raised += legend_pitch;
+      return result;
+    };
     if (choice_.tells_boundaries || robot_.task_space() == TaskSpace::T2)
       for (const auto& [kind, what] : boundary_words())
-        if (paint_.kinds().count(kind) != 0) words += std::string("\n") + color_word(kind) + ": " + what;
-    picture_.legend.color = ink_color;
-    picture_.legend.at = here.center().cast<float>();
-    picture_.legend.at[up()] = static_cast<float>(here.max()[up()] + 0.06 * picture_.size);
+        if (paint_.kinds().count(kind) != 0)
+          picture_.meanings.push_back(
+              line(color_word(kind) + std::string(": ") + what, boundary_color(kind)));
+    picture_.legend = line(where_words(choice_, robot_.task_space()), ink_color);
   }
 
   SurfaceStore& store_;

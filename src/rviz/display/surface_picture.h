@@ -67,10 +67,11 @@ struct SurfacePicture {
   PicturePart standing;              ///< in the task frame
   std::vector<PoseTile> workspaces;  ///< of the gallery
   std::vector<JointTile> joint_spaces;
-  Label legend;         ///< of several lines, in the task frame
-  bool is_cut = false;  ///< by a section, so that its inside shows
-  double radian = 1.0;  ///< how long an angle of one rad is drawn [m]
-  double size = 1.0;    ///< of the robot, or of the ball of rotations [m]
+  Label legend;                 ///< where the robot is, in the task frame
+  std::vector<Label> meanings;  ///< of the colours of boundaries, in these; below it, from the lowest line on
+  bool is_cut = false;          ///< by a section, so that its inside shows
+  double radian = 1.0;          ///< how long an angle of one rad is drawn [m]
+  double size = 1.0;            ///< of the robot, or of the ball of rotations [m]
   std::size_t triangles = 0;
 };
 
@@ -78,7 +79,7 @@ struct SurfacePicture {
 SurfacePicture draw_surfaces(SurfaceStore& store, const PictureChoice& choice,
                              const std::optional<Pose>& present, const std::atomic<bool>& cancelled);
 
-/// The first line of its legend: where the robot is.
+/// Its legend: where the robot is.
 std::string where_words(const PictureChoice& choice, TaskSpace space);
 
 /// Ids of the aspects that a choice shows.

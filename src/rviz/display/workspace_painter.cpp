@@ -19,6 +19,9 @@ using Eigen::Vector3f;
 
 constexpr double in_front = 0.002;  // of the robot's size: lines before the faces that they bound
 constexpr Rgb edge_color = 0xDDDDDD;
+// From line to line of labels, over their height: those of bodies are seen from above, too, which brings them
+// nearer.
+constexpr double flat_pitch = 1.1, body_pitch = 1.6;
 constexpr std::size_t most_places = 500;  // that are looked at for a label
 
 Vector3d scale_of(TaskSpace space, double radian) {
@@ -230,10 +233,11 @@ void WorkspacePainter::add_label(int id) {
 // Aspects of several working modes, as of candidates, may be deepest at one place: one below the other there.
 void WorkspacePainter::spread_labels() {
   const Eigen::Index up = is_planar(space_) ? 1 : 2;
-  const auto line = static_cast<float>(id_height * store_.robot().size());
-  const auto overlap = [line, up](const Label& one, const Label& other) {
+  const double pitch = up == 1 ? flat_pitch : body_pitch;
+  const auto line = static_cast<float>(pitch * id_height * store_.robot().size());
+  const auto overlap = [line, up, pitch](const Label& one, const Label& other) {
     const float letters = 0.25F * static_cast<float>(one.text.size() + other.text.size());
-    const float width = std::max(1.0F, letters) * line;
+    const auto width = static_cast<float>(std::max(1.0F, letters) * line / pitch);
     const Vector3f room(width, up == 1 ? line : width, line);  // bodies are seen from any side
     return ((one.at - other.at).cwiseAbs().array() < room.array()).all();
   };

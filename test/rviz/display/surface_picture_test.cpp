@@ -96,6 +96,37 @@ TEST(SurfacePicture, LabelsDoNotOverprint) {
     }
 }
 
+// Seen from obliquely above, a line has less room than it has from the side.
+TEST(SurfacePicture, LabelsOfBodiesDoNotOverprintFromAbove) {
+  SurfaceStore store(coarse_map("linear_delta", 0.05));
+  PictureChoice choice = in_aspect(store.map(), 1);
+  choice.shown = Shown::all;
+  choice.aspect = 0;
+  for (const Aspect& aspect : store.map().aspects()) choice.candidates.insert(aspect.id);
+  const auto labels = draw_surfaces(store, choice, std::nullopt, not_cancelled).moving.labels;
+  EXPECT_GT(labels.size(), 6U);
+  const double height = id_height * store.map().manipulator()->size();
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Eigen::Vector3f apart = (labels[i].at - labels[j].at).cwiseAbs();
+      const double width = 0.25 * height * static_cast<double>(labels[i].text.size() + labels[j].text.size());
+      EXPECT_TRUE(apart.z() >= 1.5 * height || apart.head<2>().maxCoeff() >= 0.99 * std::max(height, width))
+          << labels[i].text << " upon " << labels[j].text;
+    }
+}
+
+TEST(SurfacePicture, TheLegendHasTheColoursThatItNames) {
+  const SurfacePicture picture =
+      draw_surfaces(five_bar_store(), in_aspect(five_bar(), 1), std::nullopt, not_cancelled);
+  EXPECT_EQ(picture.legend.text.find('\n'), std::string::npos);
+  ASSERT_EQ(picture.meanings.size(), 2U);
+  EXPECT_NE(picture.meanings[0].text.find("serial"), std::string::npos);
+  EXPECT_EQ(picture.meanings[0].color, boundary_color(BoundaryKind::serial));
+  EXPECT_EQ(picture.meanings[1].color, boundary_color(BoundaryKind::parallel));
+  EXPECT_GT(picture.meanings[1].raised, picture.meanings[0].raised + 1.0);
+  EXPECT_GT(picture.legend.raised, picture.meanings[1].raised + 1.0);
+}
+
 TEST(SurfacePicture, IdsAndModesAreReadAndOtherWordsNamed) {
   const AspectMap& map = five_bar();
   std::string problem;
