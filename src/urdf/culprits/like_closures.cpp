@@ -103,8 +103,7 @@ class AxesFinder {
 void turn(const Tree& tree, const ClosureAxis& axis, Closure& closure) {
   const Poses poses = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
   auto& [first, second] = closure.frames;
-  second.in_link.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis.direction).toRotationMatrix();
+  second.in_link.linear() = shortest_rotation(Vector3d::UnitZ(), axis.direction).toRotationMatrix();
   first.in_link.linear() =
       poses[first.link].linear().transpose() * poses[second.link].linear() * second.in_link.linear();
 }

@@ -76,8 +76,7 @@ std::optional<std::string> singular_everywhere(const std::shared_ptr<const Tree>
          " random poses that were tried, so that its actuated joints never hold " +
          operational_point_text(*tree, joints.platform_link, files) +
          "; change the places of the joints on base or platform, which are, for instance, two similar "
-         "hexagons "
-         "joined corner to corner, or struts that stay parallel.";
+         "hexagons joined corner to corner, or struts that stay parallel.";
 }
 
 }  // namespace parallel_aspects
