@@ -4,6 +4,7 @@
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/model/version.h"
 #include "tools/command_line.h"
+#include "tools/output_file.h"
 #include "tools/report/text_table.h"
 #include "tools/subcommands.h"
 
@@ -48,6 +49,7 @@ int ask(const Report& question, const Surroundings& surroundings) {
 
 int perform(const Subcommand& subcommand, const Surroundings& surroundings) {
   try {
+    check_distinct_files(subcommand);
     const Report report = subcommand.run(surroundings);
     if (is_interrupted(surroundings)) return exit_code::interrupted;
     const int printed = print(surroundings.json ? to_text(report.json) : report.text, surroundings);
@@ -135,12 +137,14 @@ int run_command(int argc, const char* const* argv, const Surroundings& surroundi
 }
 
 std::vector<Option> robot_options(RobotChoice& choice) {
-  return {{"ROBOT", "",
-           "Name of a shipped robot, of which `aspects robots` lists all; or the URDF of another, and behind "
-           "it the YAML with its loop closures and actuated joints",
-           &choice.words, false, Words::files},
-          {"--urdf", "FILE", "That URDF, by an option", &choice.urdf_option},
-          {"--config", "FILE", "That YAML, by an option", &choice.config_option}};
+  return {
+      {"ROBOT", "",
+       "Name of a shipped robot, of which `aspects robots` lists all; or the URDF of another, and behind "
+       "it the YAML with its loop closures and actuated joints",
+       &choice.words, false, Words::files, FileUse::robot},
+      {"--urdf", "FILE", "That URDF, by an option", &choice.urdf_option, false, Words::one, FileUse::read},
+      {"--config", "FILE", "That YAML, by an option", &choice.config_option, false, Words::one,
+       FileUse::read}};
 }
 
 }  // namespace parallel_aspects::tools

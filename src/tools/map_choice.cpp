@@ -23,8 +23,9 @@ std::vector<Option> map_choice_options(MapChoice& choice, const std::string& sli
            "SE2 an actuated joint may be held, such as \"strut_1_joint=15\"",
            &choice.slice, false, Words::assignments},
           {"--load", "FILE", "Take the map from this file if it is of this robot and these options",
-           &choice.load_file},
-          {"--save", "FILE", "Write the map to this file, with its gates, for --load", &choice.save_file}};
+           &choice.load_file, false, Words::one, FileUse::loaded},
+          {"--save", "FILE", "Write the map to this file, with its gates, for --load", &choice.save_file,
+           false, Words::one, FileUse::saved}};
 }
 
 std::optional<MapSlice> parse_slice_with_ends(const std::string& option, const Manipulator& manipulator,
@@ -47,7 +48,7 @@ ask::FoundMap choose_map(const std::shared_ptr<const Manipulator>& manipulator, 
   ask::MapSource source{{}, slice, choice.load_file, choice.save_file};
   if (!choice.resolution.empty())
     source.resolution = parse_positive("--resolution", choice.resolution, problems);
-  check_output_file("--save", choice.save_file, problems);
+  check_map_output("--save", choice.save_file, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   ask::ProblemList refused;
   const ShownAnswering shown(surroundings);

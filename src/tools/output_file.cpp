@@ -2,11 +2,16 @@
 #include "tools/output_file.h"
 
 #include "aspects/file/whole_file.h"
+#include "parallel_aspects/aspects/map_file.h"
+#include "tools/shipped_robots.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace parallel_aspects::tools {
 namespace {
@@ -18,6 +23,30 @@ bool are_same_file(const std::string& a, const std::string& b) {
   if (std::filesystem::equivalent(a, b, error)) return true;
   const std::filesystem::path one = std::filesystem::weakly_canonical(std::filesystem::absolute(a), error);
   return !error && one == std::filesystem::weakly_canonical(std::filesystem::absolute(b), error) && !error;
+}
+
+/// A file, and the option that names it.
+struct NamedFile {
+  std::string option, file;
+  FileUse use;
+};
+
+bool is_written(FileUse use) { return use == FileUse::saved || use == FileUse::written; }
+
+bool are_at_odds(const NamedFile& output, const NamedFile& other) {
+  return output.use != FileUse::saved || other.use != FileUse::loaded;
+}
+
+std::vector<NamedFile> files_of(const Subcommand& subcommand) {
+  std::vector<NamedFile> files;
+  for (const Option& option : subcommand.options) {
+    if (option.file == FileUse::none) continue;
+    std::istringstream words(*option.value);
+    for (std::string word; std::getline(words, word);)
+      if (option.file != FileUse::robot || names_file(word))
+        files.push_back({option.name, word, option.file});
+  }
+  return files;
 }
 
 }  // namespace
@@ -33,17 +62,25 @@ void check_output_file(const std::string& option, const std::string& file, Probl
     problems.push_back(option + " is '" + file + "', which is not a regular file; give another.");
 }
 
-void check_distinct_files(const std::vector<NamedFile>& outputs, std::vector<NamedFile> inputs,
-                          Problems& problems) {
-  for (const NamedFile& output : outputs) {
-    const auto same = std::find_if(inputs.begin(), inputs.end(), [&output](const NamedFile& other) {
-      return are_same_file(output.file, other.file);
+void check_map_output(const std::string& option, const std::string& file, Problems& problems) {
+  if (file.empty()) return;
+  if (const std::string why = problem_of_saving(file); !why.empty())
+    problems.push_back(option + " is '" + file + "', which " + why + "; give another.");
+}
+
+void check_distinct_files(const Subcommand& subcommand) {
+  Problems problems;
+  const std::vector<NamedFile> files = files_of(subcommand);
+  for (auto output = files.begin(); output != files.end(); ++output) {
+    if (!is_written(output->use)) continue;
+    const auto same = std::find_if(files.begin(), files.end(), [&](const NamedFile& other) {
+      return &other != &*output && are_at_odds(*output, other) && are_same_file(output->file, other.file);
     });
-    if (same != inputs.end())
-      problems.push_back(output.option + " is '" + output.file + "', which is the file of " + same->option +
+    if (same != files.end() && (!is_written(same->use) || same < output))
+      problems.push_back(output->option + " is '" + output->file + "', which is the file of " + same->option +
                          " too and would be overwritten; give another.");
-    inputs.push_back(output);
   }
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
 }
 
 void write_output_file(const std::string& what, const std::string& file, const std::string& text) {

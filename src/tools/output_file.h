@@ -3,9 +3,9 @@
 #define PARALLEL_ASPECTS_TOOLS_OUTPUT_FILE_H
 
 #include "parallel_aspects/model/problems.h"
+#include "tools/subcommands.h"
 
 #include <string>
-#include <vector>
 
 namespace parallel_aspects::tools {
 
@@ -13,14 +13,12 @@ namespace parallel_aspects::tools {
 /// to that. An empty name is none.
 void check_output_file(const std::string& option, const std::string& file, Problems& problems);
 
-/// A file, and the option that names it; an empty name is none.
-struct NamedFile {
-  std::string option, file;
-};
+/// The same of a file for a map, which is not written over what is no map.
+void check_map_output(const std::string& option, const std::string& file, Problems& problems);
 
-/// Adds a problem for each output that is the file of an input or of an output before it.
-void check_distinct_files(const std::vector<NamedFile>& outputs, std::vector<NamedFile> inputs,
-                          Problems& problems);
+/// Throws `InvalidDescription` with a problem for each file that would be written over another one of the
+/// options of a subcommand.
+void check_distinct_files(const Subcommand& subcommand);
 
 /// Replaces a file by this text. Throws `InvalidDescription` where it cannot; `what` begins that sentence.
 void write_output_file(const std::string& what, const std::string& file, const std::string& text);

@@ -37,7 +37,7 @@ class OptionList {
   template <class Value>
   void operator()(const ask::Field& field, const Value& value) {
     options_.push_back({option_name(field.name), field.value, ask::with_names(field.help, option_name),
-                        &texts_[field.name], false, words_of(value)});
+                        &texts_[field.name], false, words_of(value), file_use(field)});
   }
 
   void operator()(const ask::Field& /*field*/, const bool& /*a flag*/) {}
@@ -45,6 +45,11 @@ class OptionList {
   const std::vector<Option>& options() const noexcept { return options_; }
 
  private:
+  static FileUse file_use(const ask::Field& field) {
+    if (field.value != "FILE") return FileUse::none;
+    return field.name == "save" ? FileUse::saved : FileUse::loaded;
+  }
+
   // Of which words the text of such a value is made.
   template <class Value>
   static Words words_of(const Value& /*value*/) {

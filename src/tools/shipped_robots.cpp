@@ -36,8 +36,6 @@ std::vector<fs::path> usual_folders() {
           PARALLEL_ASPECTS_SOURCE_DIR};
 }
 
-bool is_file(const std::string& word) { return word.find_first_of("./") != std::string::npos; }
-
 /// The n-th of the words, counted from 0; empty where there are fewer.
 std::string word_of(const RobotChoice& choice, std::size_t n) {
   std::istringstream words(choice.words);
@@ -84,6 +82,10 @@ Problems problems_of(const RobotChoice& choice) {
     return {"Robot '" + name + "' is named and files are given too; give a name, or ROBOT.urdf ROBOT.yaml."};
   if (has_config && !word_of(choice, place_of_config(choice)).empty())
     return {"A file is given twice, as a word and by its option; give ROBOT.urdf ROBOT.yaml."};
+  const fs::path urdf = choice.urdf_file(), config = choice.config_file();
+  if (config.extension() == ".urdf" && urdf.extension() != ".urdf")
+    return {"'" + config.string() + "' is given as the YAML of '" + urdf.string() +
+            "'; give the URDF first, then the YAML."};
   return {};
 }
 
@@ -100,9 +102,11 @@ std::shared_ptr<const Mechanism> load(const RobotChoice& choice) {
 
 }  // namespace
 
+bool names_file(const std::string& word) { return word.find_first_of("./") != std::string::npos; }
+
 std::string RobotChoice::name() const {
   const std::string first = word_of(*this, 0);
-  return is_file(first) ? "" : first;
+  return names_file(first) ? "" : first;
 }
 
 std::string RobotChoice::urdf_file() const { return file_of(*this, urdf_option, 0); }

@@ -22,6 +22,9 @@ std::filesystem::path share_folder();
 /// Names of the robots in a share folder, sorted.
 std::vector<std::string> shipped_robots(const std::filesystem::path& share);
 
+/// Whether a word is a file, not the name of a shipped robot: it has a dot or a slash.
+bool names_file(const std::string& word);
+
 /// Which robot to load, as it was typed: a shipped one by its name, or a pair of files.
 struct RobotChoice {
   std::string words{};          ///< a name; or files, as words with a dot or a slash: the URDF, then the YAML

@@ -30,6 +30,17 @@ enum class Words {
   files,        ///< of a positional argument: any, one a line of the value
 };
 
+/// What becomes of the file that an option names. None that is read is written, but that a map may be written
+/// over the one that was loaded.
+enum class FileUse {
+  none,    ///< it names none
+  robot,   ///< read, where it is the file of a robot and not the name of one
+  read,    ///< likewise
+  loaded,  ///< a map
+  saved,   ///< a map
+  written
+};
+
 /// `--name VALUE`, or a positional argument where the name has no dashes. `-o` is `--output` too.
 struct Option {
   std::string name;
@@ -38,6 +49,7 @@ struct Option {
   std::string* value;  ///< where the text goes; untouched where the option is not given
   bool required = false;
   Words words = Words::one;
+  FileUse file = FileUse::none;
 };
 
 /// `--name` without a value.

@@ -200,6 +200,34 @@ TEST_F(Command, TooFewAndTooManyFilesAreTold) {
   EXPECT_EQ(run({"map", "a.urdf", "b.yaml", "--config", "c.yaml"}).messages, twice);
 }
 
+TEST_F(Command, FilesThatAreExchangedAreTold) {
+  EXPECT_EQ(run({"map", "a.yaml", "b.urdf"}).messages,
+            "'b.urdf' is given as the YAML of 'a.yaml'; give the URDF first, then the YAML.\n");
+}
+
+TEST_F(Command, WritesOverNoFileThatItReads) {
+  const std::string urdf = testing::TempDir() + "own_five_bar.urdf",
+                    config = std::string(PARALLEL_ASPECTS_SOURCE_DIR) + "/config/robots/five_bar.yaml";
+  const std::string text = "<robot name='x'/>";
+  std::ofstream(urdf) << text;
+  for (const auto& arguments : std::vector<std::vector<const char*>>{
+           {"map", urdf.c_str(), config.c_str(), "--save", urdf.c_str()},
+           {"map", "--urdf", urdf.c_str(), "--config", config.c_str(), "--save", urdf.c_str()},
+           {"workspace", urdf.c_str(), config.c_str(), "--shape", "disc", "--save", urdf.c_str()},
+           {"plan", urdf.c_str(), config.c_str(), "--save", urdf.c_str()},
+           {"graph", urdf.c_str(), config.c_str(), "--save", urdf.c_str()}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << arguments.front();
+    EXPECT_NE(outcome.messages.find("would be overwritten"), std::string::npos) << outcome.messages;
+  }
+  const Outcome other = run({"map", "five_bar", "--save", urdf.c_str()});
+  EXPECT_EQ(other.code, exit_code::bad_input);
+  EXPECT_NE(other.messages.find("is there and is no map"), std::string::npos) << other.messages;
+  std::stringstream kept;
+  kept << std::ifstream(urdf).rdbuf();
+  EXPECT_EQ(kept.str(), text);
+}
+
 TEST_F(Command, DescriptionsSayWhereThePosesAre) {
   const std::string text = run({"describe", "five_bar"}).output;
   EXPECT_NE(text.find("poses are given in the task frame, which is the frame of base_link\n"),

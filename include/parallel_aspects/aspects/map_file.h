@@ -19,6 +19,10 @@ struct SaveResult {
   explicit operator bool() const noexcept { return saved; }  ///< whether it was written
 };
 
+/// Why a map cannot be saved there, such as "is in no folder that can be written to"; empty where it can.
+/// What is no map is not written over.
+std::string problem_of_saving(const std::string& path);
+
 /// Writes the map to a file, and its graph of aspects if that is known (`compute_aspect_graph`): who loads it
 /// need not look for gates again. At every moment the file is the old one or the new one, whole.
 SaveResult save_map(const AspectMap& map, const std::string& path);

@@ -13,7 +13,11 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <new>
+#include <system_error>
+#include <unistd.h>
 #include <utility>
 #include <zlib.h>
 
@@ -124,7 +128,25 @@ MapResult loaded(std::shared_ptr<const Manipulator> manipulator, const MapOption
 
 }  // namespace
 
+std::string problem_of_saving(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path folder = fs::path(path).parent_path();
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
+    return "is in no folder that can be written to";
+  if (!fs::exists(path, error)) return "";
+  if (!fs::is_regular_file(path, error)) return "is not a regular file";
+  std::array<char, magic.size()> start{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), start.size());
+  const bool is_map = std::equal(magic.begin(), magic.end(), start.begin(),
+                                 [](std::uint8_t a, char b) { return a == static_cast<std::uint8_t>(b); });
+  return file.gcount() == 0 || is_map ? "" : "is there and is no map, and would be overwritten";
+}
+
 SaveResult save_map(const AspectMap& map, const std::string& path) {
+  if (const std::string why = problem_of_saving(path); !why.empty())
+    return {false, "Map file '" + path + "' is not saved, since it " + why + "; give another."};
   const std::string problem = replace_file(path, encode(map.contents()));
   if (problem.empty()) return {true, ""};
   return {false, "Map file '" + path + "' is not saved, since " + problem +

@@ -121,9 +121,13 @@ void require_short_turns(TaskSpace space, const std::string& file,
 
 Option path_option(std::string& file) {
   return {
-      "--path", "FILE",
+      "--path",
+      "FILE",
       "CSV with poses of the platform: a header such as time,x,y and a line for each waypoint [s, m, rad]",
-      &file};
+      &file,
+      false,
+      Words::one,
+      FileUse::read};
 }
 
 std::vector<PoseWaypoint> read_pose_waypoints(TaskSpace space, const std::string& file) {

@@ -39,7 +39,6 @@ Report report_of(const ChartArguments& arguments) {
   question.over = words_of_list(arguments.over);
   question.fixed = parse_fixed(arguments.at, problems);
   check_picture_file("-o", arguments.picture, problems);
-  check_distinct_files({{"-o", arguments.picture}}, {{"the sweep", arguments.file}}, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const SweepChart chart = chart_of(read_sweep_table(arguments.file), question);
   std::string title = chart.column;
@@ -62,9 +61,10 @@ Subcommand chart_subcommand() {
   return {
       "chart",
       "Draw a column of a sweep over one or two parameters, with lines where the number of aspects changes",
-      {{"FILE", "", "That `aspects sweep` or `aspects merge` wrote", &arguments->file, true},
+      {{"FILE", "", "That `aspects sweep` or `aspects merge` wrote", &arguments->file, true, Words::one,
+        FileUse::read},
        {"--column", "NAME", "What is drawn, such as largest_lower", &arguments->column, true},
-       {"-o", "FILE", "The picture, as SVG or PNG", &arguments->picture, true},
+       {"-o", "FILE", "The picture, as SVG or PNG", &arguments->picture, true, Words::one, FileUse::written},
        {"--over", "\"crank_1 rod_2\"", "One or two parameters; by default those that vary", &arguments->over,
         false, Words::names},
        {"--at", "\"rod_1=5\"", "Rows with these values alone [m]", &arguments->at, false,

@@ -275,12 +275,6 @@ Report run(const CheckArguments& arguments, const Surroundings& surroundings) {
   Problems problems;
   check_output_file("--csv", arguments.csv_file, problems);
   check_output_file("--picture", arguments.picture_file, problems);
-  check_distinct_files({{"--csv", arguments.csv_file}, {"--picture", arguments.picture_file}},
-                       {{"--path", arguments.path},
-                        {"--trajectory", arguments.trajectory},
-                        {"--urdf", arguments.robot.urdf_file()},
-                        {"--config", arguments.robot.config_file()}},
-                       problems);
   const unsigned points =
       arguments.distances.empty() ? 0 : parse_count("--distances", arguments.distances, 10000, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));
@@ -309,7 +303,7 @@ Subcommand check_subcommand() {
       {"--trajectory", "FILE",
        "Values of the actuated joints: a trajectory_msgs/JointTrajectory in YAML, as rostopic prints it; or "
        "CSV with a header of time and their names, NAME/velocity and NAME/acceleration where known",
-       &arguments->trajectory});
+       &arguments->trajectory, false, Words::one, FileUse::read});
   options.push_back(
       {"--start-pose", "\"x y\"",
        "About where the platform is at the start, where actuated joints have several assembly modes",
@@ -319,10 +313,10 @@ Subcommand check_subcommand() {
                      "B_jj = 0, as `plan` has them",
                      &arguments->policy});
   options.push_back({"--start-sign", "+", "Or the sign of det A there", &arguments->start_sign});
-  options.push_back(
-      {"--csv", "FILE", "Write time, pose, joints and indices of every sample as CSV", &arguments->csv_file});
-  options.push_back(
-      {"--picture", "FILE", "Draw indices and distances over time as SVG", &arguments->picture_file});
+  options.push_back({"--csv", "FILE", "Write time, pose, joints and indices of every sample as CSV",
+                     &arguments->csv_file, false, Words::one, FileUse::written});
+  options.push_back({"--picture", "FILE", "Draw indices and distances over time as SVG",
+                     &arguments->picture_file, false, Words::one, FileUse::written});
   options.push_back({"--distances", "N",
                      "Measure the distances to singularities and limits at so many times, for all three",
                      &arguments->distances});

@@ -72,10 +72,7 @@ Report report_of(const GraphArguments& arguments, const Surroundings& surroundin
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   Problems problems;
   check_svg_file("--picture", arguments.picture_file, problems);
-  check_output_file("--save", arguments.map.save_file, problems);
-  check_distinct_files({{"--picture", arguments.picture_file}, {"--save", arguments.map.save_file}},
-                       {{"--urdf", arguments.robot.urdf_file()}, {"--config", arguments.robot.config_file()}},
-                       problems);
+  check_map_output("--save", arguments.map.save_file, problems);
   std::optional<MapSlice> slice;
   if (!arguments.map.slice.empty())
     slice = parse_slice("--slice", *manipulator, arguments.map.slice, problems);
@@ -91,7 +88,8 @@ Subcommand graph_subcommand() {
   const auto arguments = std::make_shared<GraphArguments>();
   std::vector<Option> options = robot_options(arguments->robot);
   for (const Option& option : map_choice_options(arguments->map)) options.push_back(option);
-  options.push_back({"--picture", "FILE", "Draw aspects and gates as SVG", &arguments->picture_file});
+  options.push_back({"--picture", "FILE", "Draw aspects and gates as SVG", &arguments->picture_file, false,
+                     Words::one, FileUse::written});
   options.push_back({"--samples", "N", "With six degrees of freedom: poses of the roadmap, by default 1000",
                      &arguments->roadmap.samples});
   options.push_back({"--seed", "N", "With six degrees of freedom: seed of its poses, by default 1",

@@ -243,14 +243,15 @@ std::vector<Option> options_of(MapArguments& arguments) {
                      "Threads to compute with; by default one a core. The result does not depend on it",
                      &arguments.threads});
   options.push_back({"--load", "FILE", "Take the map from this file if it is of this robot and these options",
-                     &arguments.load_file});
-  options.push_back({"--save", "FILE", "Write the map to this file, for --load", &arguments.save_file});
+                     &arguments.load_file, false, Words::one, FileUse::loaded});
+  options.push_back({"--save", "FILE", "Write the map to this file, for --load", &arguments.save_file, false,
+                     Words::one, FileUse::saved});
   options.push_back({"--picture", "FILE",
                      "Draw as SVG or PNG what `aspects plot --leaves` does, where two coordinates are free",
-                     &arguments.picture_file});
+                     &arguments.picture_file, false, Words::one, FileUse::written});
   options.push_back({"--persistence-picture", "FILE",
                      "Draw as SVG what --persistence lists, a bar over the index for each basin",
-                     &arguments.basins_file});
+                     &arguments.basins_file, false, Words::one, FileUse::written});
   options.push_back({"--samples", "N",
                      "With six degrees of freedom: poses of the certified roadmap, by default 1000",
                      &arguments.roadmap.samples});
@@ -266,7 +267,7 @@ Report report_of(MapArguments arguments, const Surroundings& surroundings) {
   arguments.index = parse_index(arguments.index_text, problems);
   const MapSection section = load_map_section(arguments.robot, problems);
   MapOptions map_options = parse_options(arguments, section.config, problems);
-  check_output_file("--save", arguments.save_file, problems);
+  check_map_output("--save", arguments.save_file, problems);
   check_picture_file("--picture", arguments.picture_file, problems);
   check_output_file("--persistence-picture", arguments.basins_file, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));

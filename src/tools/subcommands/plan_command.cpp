@@ -35,13 +35,8 @@ void check_files(const PlanArguments& arguments, const ask::MapSource& map, Prob
   const std::string& file = arguments.trajectory_file;
   if (!file.empty() && !ends_with(file, ".csv") && !ends_with(file, ".yaml"))
     problems.push_back("--trajectory names '" + file + "'; give a file that ends in .csv or .yaml.");
-  const NamedFile trajectory{"--trajectory", file};
-  check_output_file("--save", map.save, problems);
+  check_map_output("--save", map.save, problems);
   check_output_file("--trajectory", file, problems);
-  check_distinct_files({{"--save", map.save}, trajectory},
-                       {{"--urdf", arguments.robot.urdf_file()}, {"--config", arguments.robot.config_file()}},
-                       problems);
-  check_distinct_files({trajectory}, {{"--load", map.load}}, problems);
 }
 
 ask::PlanQuestion read(const PlanArguments& arguments, const Manipulator& robot) {
@@ -125,7 +120,7 @@ Subcommand plan_subcommand() {
   options.push_back({"--trajectory", "FILE",
                      "Write the path in time, as fast as the limits of the joints allow: a .csv, or a .yaml "
                      "that rostopic publishes. `check --trajectory` reads both",
-                     &arguments->trajectory_file});
+                     &arguments->trajectory_file, false, Words::one, FileUse::written});
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {"plan", "Plan a path that is proved, or prove that there is none", options,
           [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); }};

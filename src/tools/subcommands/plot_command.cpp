@@ -145,11 +145,7 @@ Report report_of(const PlotArguments& arguments, const Surroundings& surrounding
   options.leaves = arguments.leaves;
   options.levels = parse_levels(arguments.index, problems);
   check_picture_file("-o", arguments.file, problems);
-  check_output_file("--save", arguments.map.save_file, problems);
-  check_distinct_files({{"-o", arguments.file}, {"--save", arguments.map.save_file}},
-                       {{"--urdf", arguments.robot.urdf_file()}, {"--config", arguments.robot.config_file()}},
-                       problems);
-  check_distinct_files({{"-o", arguments.file}}, {{"--load", arguments.map.load_file}}, problems);
+  check_map_output("--save", arguments.map.save_file, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   problems.clear();
@@ -182,7 +178,8 @@ Report report_of(const PlotArguments& arguments, const Surroundings& surrounding
 Subcommand plot_subcommand() {
   const auto arguments = std::make_shared<PlotArguments>();
   std::vector<Option> options = robot_options(arguments->robot);
-  options.push_back({"-o", "FILE", "The picture: an .svg or a .png", &arguments->file, true});
+  options.push_back(
+      {"-o", "FILE", "The picture: an .svg or a .png", &arguments->file, true, Words::one, FileUse::written});
   for (const Option& option : map_choice_options(arguments->map)) options.push_back(option);
   options.push_back(
       {"--section", "\"z=0.3\"",

@@ -88,8 +88,8 @@ std::vector<Option> options_of(SweepChoice& choice) {
        "Lengths and points by name, as `aspects describe` lists them: a value, or a range with the "
        "number of its values [m]",
        &arguments.vary, true, Words::assignments});
-  options.push_back(
-      {"-o", "FILE", "Rows as CSV; where it is there, the same command goes on with it", &choice.file, true});
+  options.push_back({"-o", "FILE", "Rows as CSV; where it is there, the same command goes on with it",
+                     &choice.file, true, Words::one, FileUse::written});
   options.push_back({"--sample", "NAME", "grid, which is the default, or sobol", &arguments.sample});
   options.push_back({"--designs", "N", "How many designs of --sample sobol", &arguments.designs});
   options.push_back(
@@ -118,10 +118,7 @@ std::vector<std::string> files_of(const std::string& text) {
 Report report_of(const MergeArguments& arguments) {
   Problems problems;
   const std::vector<std::string> files = files_of(arguments.parts);
-  std::vector<NamedFile> inputs;
-  for (const std::string& file : files) inputs.push_back({"a part", file});
   check_output_file("-o", arguments.file, problems);
-  check_distinct_files({{"-o", arguments.file}}, inputs, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   write_output_file("The merged file", arguments.file, merged_parts(files));
   Report report;
@@ -146,8 +143,8 @@ Subcommand merge_subcommand() {
   const auto arguments = std::make_shared<MergeArguments>();
   return {"merge",
           "Join the parts of a sweep that was computed in shards",
-          {{"PARTS", "", "Files of all shards", &arguments->parts, true, Words::files},
-           {"-o", "FILE", "The whole sweep", &arguments->file, true}},
+          {{"PARTS", "", "Files of all shards", &arguments->parts, true, Words::files, FileUse::read},
+           {"-o", "FILE", "The whole sweep", &arguments->file, true, Words::one, FileUse::written}},
           [arguments](const Surroundings&) { return report_of(*arguments); }};
 }
 

@@ -170,9 +170,6 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
   const auto manipulator = choose_constraints(described, arguments.constraints);
   Problems problems;
   check_picture_file("--picture", arguments.picture, problems);
-  check_distinct_files({{"--picture", arguments.picture}},
-                       {{"--urdf", arguments.robot.urdf_file()}, {"--config", arguments.robot.config_file()}},
-                       problems);
   if (manipulator->task_space() == TaskSpace::SO3 && !arguments.slice.empty())
     return report_of_cusps(arguments, *manipulator, std::move(problems), surroundings);
   if (is_surveyed(*manipulator))
@@ -225,7 +222,7 @@ Subcommand uniqueness_subcommand() {
   options.push_back({"--picture", "FILE",
                      "Draw the poses of the slice and its actuated values, with singular curves, cusps and "
                      "numbers of solutions, or the curves of cusps, as SVG or PNG",
-                     &arguments->picture});
+                     &arguments->picture, false, Words::one, FileUse::written});
   options.push_back({"--mode", "\"(-,-,-)\"",
                      "Working mode of the poses of the picture, as signs of B_jj; by default that with the "
                      "largest components",

@@ -81,7 +81,7 @@ void draw(const ask::LargestShapeAnswer& answer, const std::string& file) {
 ask::LargestShapeQuestion read(const WorkspaceArguments& arguments, const Manipulator& robot) {
   Problems problems;
   auto question = read_question<ask::LargestShapeQuestion>(robot, arguments.texts, problems);
-  check_output_file("--save", question.map.save, problems);
+  check_map_output("--save", question.map.save, problems);
   check_picture_file("--picture", arguments.picture, problems);
   if (!arguments.picture.empty() && problems.empty() && free_positions(robot, question.map.hold) < 2)
     problems.emplace_back("--picture shows two positions, but one is free; leave it out.");
@@ -109,8 +109,8 @@ Subcommand workspace_subcommand() {
   std::vector<Option> options = robot_options(arguments->robot);
   for (const Option& option : question_options<ask::LargestShapeQuestion>(arguments->texts))
     options.push_back(option);
-  options.push_back(
-      {"--picture", "FILE", "Draw the aspects with the shapes in them, as SVG or PNG", &arguments->picture});
+  options.push_back({"--picture", "FILE", "Draw the aspects with the shapes in them, as SVG or PNG",
+                     &arguments->picture, false, Words::one, FileUse::written});
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {"workspace", "Find the largest box, square, disc, cylinder or ball in each aspect, proved", options,
           [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); }};
