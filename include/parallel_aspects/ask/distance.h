@@ -42,7 +42,7 @@ void describe(Visit& visit, DistanceQuestion& question) {
 
 /// The distance to one kind of boundary, with what is at fault there.
 struct DistanceTo {
-  BoundaryDistance distance;
+  BoundaryDistance distance;        ///< as of the meter
   std::optional<LegIndex> leg{};    ///< at fault; not of parallel singularities
   std::optional<LimitEnd> limit{};  ///< which of its limits; of limits alone
 
