@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/drawing/result_charts.h"
 #include "tools/drawing/gate_line.h"
+#include "tools/drawing/result_charts.h"
 
 #include <gtest/gtest.h>
 
