@@ -3,13 +3,10 @@
 
 #include "aspects/map/map_plan.h"
 #include "model/number_text.h"
-#include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/model/constraints.h"
 
 #include <cmath>
-#include <filesystem>
-#include <system_error>
 
 namespace parallel_aspects {
 namespace {
@@ -200,10 +197,6 @@ Problems problems_of(const NodeOptions& options, const Manipulator& manipulator,
   check_resolution(options.map, manipulator, checks, "map/");
   checks.require(options.map_file.empty() || options.map_file.front() == '/', "map/file",
                  "must be an absolute path, or empty for none.");
-  std::error_code error;
-  checks.require(options.map_file.empty() || std::filesystem::exists(options.map_file, error) ||
-                     problem_of_saving(options.map_file).empty(),
-                 "map/file", "must be there, or in a folder that can be written to.");
   check_start(options.start, manipulator, checks);
   check_tracking(options.tracking, options.passive, checks);
   check_thresholds(options.thresholds, "thresholds/", checks);

@@ -286,12 +286,26 @@ TEST_F(MapFile, AFailingSaveLeavesTheOldFile) {
 TEST_F(MapFile, FoldersThatCannotBeWrittenToAreReported) {
   const SaveResult missing = save_map(*map_, folder_ / "none" / "map");
   EXPECT_FALSE(missing.saved);
-  EXPECT_NE(missing.message.find("No such file or directory"), std::string::npos) << missing.message;
+  EXPECT_NE(missing.message.find("in no folder that can be written to"), std::string::npos)
+      << missing.message;
   fs::create_directory(file_);
   EXPECT_FALSE(save_map(*map_, file_).saved);
   EXPECT_TRUE(fs::is_directory(file_));
   EXPECT_EQ(files_in_folder(), 1U);
   EXPECT_FALSE(save_map(*map_, "/proc/map").saved);
+}
+
+TEST_F(MapFile, WhatIsNoMapIsNotWrittenOver) {
+  for (const char* text : {"<robot/>", "x", "ASPECTS of another kind"}) {
+    std::ofstream(file_) << text;
+    const SaveResult refused = save_map(*map_, file_);
+    EXPECT_FALSE(refused.saved);
+    EXPECT_NE(refused.message.find("is no map"), std::string::npos) << refused.message;
+    EXPECT_EQ(contents(file_), text);
+  }
+  std::ofstream(file_) << "";
+  EXPECT_TRUE(save_map(*map_, file_).saved);
+  EXPECT_TRUE(save_map(*map_, file_).saved);
 }
 
 TEST_F(MapFile, LinksAreFollowedAndWhatIsNoFileIsNotReplaced) {

@@ -76,8 +76,8 @@ class NodeLife : public testing::Test {
     return status && status->level == level;
   }
   // A value of the part "tracking"; empty where there is none.
-  std::string diagnosed_value(const std::string& key) const {
-    if (const auto status = diagnosis("tracking"))
+  std::string diagnosed_value(const std::string& key, const std::string& part = "tracking") const {
+    if (const auto status = diagnosis(part))
       for (const auto& value : status->values)
         if (value.key == key) return value.value;
     return {};

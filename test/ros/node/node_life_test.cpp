@@ -116,7 +116,7 @@ TEST_F(NodeLife, SurvivesWhatBecomesOfItsMapFile) {
   std::filesystem::remove(file);
   EXPECT_EQ(aspects_known(), 10U);
 
-  // At a start a file that is not there, cut off, another one's, or no file at all, is replaced.
+  // At a start a file that is not there, or is a map that was cut off, is replaced; what is no map stays.
   const auto reload = [&] {
     EXPECT_EQ(call<Reload>("reload").status.code, Status::OK);
     EXPECT_EQ(aspects_known(), 10U);
@@ -130,6 +130,11 @@ TEST_F(NodeLife, SurvivesWhatBecomesOfItsMapFile) {
   reload();
   ASSERT_TRUE(eventually(is_whole));
   std::ofstream(file) << "not a map";
+  reload();
+  EXPECT_TRUE(
+      eventually([&] { return diagnosed_value("file", "map").find("is no map") != std::string::npos; }));
+  EXPECT_EQ(std::filesystem::file_size(file), 9U);
+  std::filesystem::remove(file);
   reload();
   ASSERT_TRUE(eventually(is_whole));
   const auto written = std::filesystem::last_write_time(file);
