@@ -271,9 +271,9 @@ void MapPicture::draw_titles(std::size_t column, MarkerBatch& batch) const {
 void MapPicture::draw_several(std::size_t column, const std::vector<int>& ids, MarkerBatch& batch) const {
   const double text = layout_.text_height();
   const Placing place = [&](const Vector2d& q) { return layout_.in_joint_tile(q, column); };
-  for (const int id : ids)
-    draw_colored_outline(modes_[column].joint_boundary, id, place, {text, 0.06 * text}, colors_.of(id),
-                         joint_spaces_, "joint_space/outlines", batch);
+  for (std::size_t k = 0; k + 1 < ids.size(); ++k)  // over the last one nothing is drawn
+    draw_colored_outline(modes_[column].joint_boundary, ids[k], place, {text, 0.06 * text},
+                         colors_.of(ids[k]), joint_spaces_, "joint_space/outlines", batch);
   const Vector2d below(0.0, 0.5 * layout_.joint_tile_size().y() + 2.6 * text);
   batch.text(joint_spaces_, "joint_space/several", layout_.joint_tile_center(column) - below,
              height_of(Layer::text, text), 0.6 * text, "several aspects, one over another", ink());
