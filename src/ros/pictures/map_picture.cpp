@@ -197,7 +197,7 @@ void MapPicture::outline_in_gallery(std::size_t column, int aspect, MarkerBatch&
   if (modes_[column].overlaps) draw_over_others(column, aspect, batch);
 }
 
-// The present aspect over the others, below the outlines of all.
+// The present aspect over the others.
 void MapPicture::draw_over_others(std::size_t column, int aspect, MarkerBatch& batch) const {
   if (aspect == 0) return;
   const double text = layout_.text_height();
@@ -234,7 +234,7 @@ void MapPicture::draw_joint_tile(std::size_t column, MarkerBatch& batch) const {
                     colors_.of(id));
     height += stack_height * text / static_cast<double>(ids.size());
   }
-  if (picture.overlaps) draw_several(column, ids, batch);
+  if (picture.overlaps) draw_several(column, batch);
   draw_curves(modes_[column].joint_boundary, place, {text, 0.06 * text}, joint_spaces_, "joint_space", batch);
   batch.lines(joint_spaces_, "joint_space/window",
               rectangle(layout_.joint_tile_center(column), layout_.joint_tile_size()),
@@ -267,13 +267,9 @@ void MapPicture::draw_titles(std::size_t column, MarkerBatch& batch) const {
   }
 }
 
-// Projections overlap where there are several assembly modes; what is below is seen by its outline.
-void MapPicture::draw_several(std::size_t column, const std::vector<int>& ids, MarkerBatch& batch) const {
+// Projections overlap where there are several assembly modes.
+void MapPicture::draw_several(std::size_t column, MarkerBatch& batch) const {
   const double text = layout_.text_height();
-  const Placing place = [&](const Vector2d& q) { return layout_.in_joint_tile(q, column); };
-  for (std::size_t k = 0; k + 1 < ids.size(); ++k)  // over the last one nothing is drawn
-    draw_colored_outline(modes_[column].joint_boundary, ids[k], place, {text, 0.06 * text},
-                         colors_.of(ids[k]), joint_spaces_, "joint_space/outlines", batch);
   const Vector2d below(0.0, 0.5 * layout_.joint_tile_size().y() + 2.6 * text);
   batch.text(joint_spaces_, "joint_space/several", layout_.joint_tile_center(column) - below,
              height_of(Layer::text, text), 0.6 * text, "several aspects, one over another", ink());

@@ -47,7 +47,7 @@ class MapPicture : public Picture {
   std::vector<int> aspects_of(const WorkingMode& mode) const;
   void draw_workspace_tile(std::size_t column, MarkerBatch& batch) const;
   void draw_joint_tile(std::size_t column, MarkerBatch& batch) const;
-  void draw_several(std::size_t column, const std::vector<int>& ids, MarkerBatch& batch) const;
+  void draw_several(std::size_t column, MarkerBatch& batch) const;
   void draw_titles(std::size_t column, MarkerBatch& batch) const;
   void draw_legend(MarkerBatch& batch) const;
 

@@ -21,12 +21,6 @@ Points ends_of(const std::vector<BoundarySegment>& segments, const Placing& plac
   return ends;
 }
 
-Points border_of(const std::vector<BoundarySegment>& segments, int aspect, const Placing& place) {
-  return ends_of(segments, place, [&](const BoundarySegment& segment) {
-    return std::count(segment.aspects.begin(), segment.aspects.end(), aspect) > 0;
-  });
-}
-
 }  // namespace
 
 double height_of(Layer layer, double text_height) { return 0.02 * text_height * static_cast<double>(layer); }
@@ -75,16 +69,12 @@ void draw_curves(const std::vector<BoundarySegment>& segments, const Placing& pl
 void draw_outline(const std::vector<BoundarySegment>& segments, int aspect, const Placing& place,
                   const CurveStyle& style, const MarkerBatch::Plane& plane, const std::string& group,
                   MarkerBatch& batch) {
+  const auto borders = [&](const BoundarySegment& segment) {
+    return std::count(segment.aspects.begin(), segment.aspects.end(), aspect) > 0;
+  };
   if (aspect != 0)
-    batch.lines(plane, group + "/outline", border_of(segments, aspect, place),
+    batch.lines(plane, group + "/outline", ends_of(segments, place, borders),
                 height_of(Layer::outline, style.text_height), 2.2 * style.width, ink());
-}
-
-void draw_colored_outline(const std::vector<BoundarySegment>& segments, int aspect, const Placing& place,
-                          const CurveStyle& style, const std_msgs::ColorRGBA& shade,
-                          const MarkerBatch::Plane& plane, const std::string& group, MarkerBatch& batch) {
-  batch.lines(plane, group, border_of(segments, aspect, place), height_of(Layer::frame, style.text_height),
-              3.5 * style.width, shade);
 }
 
 std::vector<std::pair<BoundaryKind, const char*>> boundary_legend(

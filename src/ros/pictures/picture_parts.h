@@ -50,11 +50,6 @@ void draw_outline(const std::vector<BoundarySegment>& segments, int aspect, cons
                   const CurveStyle& style, const MarkerBatch::Plane& plane, const std::string& group,
                   MarkerBatch& batch);
 
-/// A line around one aspect in its own colour, under its boundaries and wider than these.
-void draw_colored_outline(const std::vector<BoundarySegment>& segments, int aspect, const Placing& place,
-                          const CurveStyle& style, const std_msgs::ColorRGBA& shade,
-                          const MarkerBatch::Plane& plane, const std::string& group, MarkerBatch& batch);
-
 /// Names of the kinds of boundaries that occur, in their colours.
 std::vector<std::pair<BoundaryKind, const char*>> boundary_legend(
     const std::vector<BoundarySegment>& segments);
