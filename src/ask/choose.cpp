@@ -62,12 +62,8 @@ class Choosing {
     problems_.push_back({kind, field, fault, remedy});
   }
 
-  void refuse_told(const Problems& texts) {
-    for (const std::string& text : texts) problems_.push_back(told(text));
-  }
-
-  // Maps of one or two degrees of freedom are quick; aspects of others are told apart by the sign of det A
-  // alone.
+  // Maps of one or two degrees of freedom are quick; aspects of others are distinguished by the sign of det
+  // A alone.
   std::shared_ptr<const AspectMap> map() {
     if (session_.known_map() || question_.brief || degrees_of_freedom(robot().task_space()) > 2)
       return session_.known_map();
@@ -77,7 +73,7 @@ class Choosing {
 
   void choose_for_path() {
     answer_.prefer = question_.prefer.value_or(Preference::clear);
-    refuse_told(problems_of(robot(), *question_.path, *answer_.prefer));
+    add_told(problems_of(robot(), *question_.path, *answer_.prefer), problems_);
     if (!problems_.empty()) return;
     const auto known = map();
     PathChoiceOptions options;
@@ -98,7 +94,7 @@ class Choosing {
         region.slice ? coordinate_names(*region.slice) : coordinate_names(robot().task_space());
     if (names.size() <= max_map_dimension)
       region.region = box_of("region", names, question_.region, problems_);
-    if (problems_.empty()) refuse_told(problems_of(robot(), region));
+    if (problems_.empty()) add_told(problems_of(robot(), region), problems_);
     if (!problems_.empty()) return;
     RegionChoiceOptions options;
     options.control = control_.begin("Looking into the region.");

@@ -43,6 +43,10 @@ Problems texts_of(const ProblemList& problems, const FieldName& name) {
   return texts;
 }
 
+void add_told(const Problems& sentences, ProblemList& problems) {
+  for (const std::string& each : sentences) problems.push_back(told(each));
+}
+
 Problem told(std::string sentence) { return {ProblemKind::told, {}, std::move(sentence), {}}; }
 
 }  // namespace parallel_aspects::ask

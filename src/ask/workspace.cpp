@@ -12,10 +12,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-void add_told(const Problems& texts, ProblemList& problems) {
-  for (const std::string& text : texts) problems.push_back(told(text));
-}
-
 /// As the library has it: of a cylinder its height over its diameter.
 void take_ratio(const std::vector<double>& given, std::size_t free, WorkspaceQuestion& question,
                 ProblemList& problems) {

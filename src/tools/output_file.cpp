@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <sstream>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -23,6 +22,11 @@ bool are_same_file(const std::string& a, const std::string& b) {
   if (std::filesystem::equivalent(a, b, error)) return true;
   const std::filesystem::path one = std::filesystem::weakly_canonical(std::filesystem::absolute(a), error);
   return !error && one == std::filesystem::weakly_canonical(std::filesystem::absolute(b), error) && !error;
+}
+
+void add_problem(const std::string& option, const std::string& file, const std::string& why,
+                 Problems& problems) {
+  if (!why.empty()) problems.push_back(option + " is '" + file + "', which " + why + "; give another.");
 }
 
 /// A file, and the option that names it.
@@ -52,20 +56,11 @@ std::vector<NamedFile> files_of(const Subcommand& subcommand) {
 }  // namespace
 
 void check_output_file(const std::string& option, const std::string& file, Problems& problems) {
-  if (file.empty()) return;
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
-    problems.push_back(option + " is '" + file +
-                       "', which is in no folder that can be written to; give another.");
-  else if (std::error_code error;
-           std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error))
-    problems.push_back(option + " is '" + file + "', which is not a regular file; give another.");
+  if (!file.empty()) add_problem(option, file, problem_of_writing(file), problems);
 }
 
 void check_map_output(const std::string& option, const std::string& file, Problems& problems) {
-  if (file.empty()) return;
-  if (const std::string why = problem_of_saving(file); !why.empty())
-    problems.push_back(option + " is '" + file + "', which " + why + "; give another.");
+  if (!file.empty()) add_problem(option, file, problem_of_saving(file), problems);
 }
 
 void check_distinct_files(const Subcommand& subcommand) {

@@ -3,7 +3,7 @@
 
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
-#include "urdf/closing/loose_chains.h"
+#include "urdf/closing/chain.h"
 #include "urdf/recognition/passive_chain.h"
 
 #include <algorithm>

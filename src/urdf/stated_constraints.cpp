@@ -116,7 +116,7 @@ void add_stated_constraints(const ConstraintsConfig& config, std::optional<doubl
   try {
     contents.manipulator = std::make_shared<const Manipulator>(description);
     if (!contents.symmetric.motions.empty()) {
-      Notes unused;  // what bounds maps is said, and what rounding moves is not
+      Notes unused;  // what bounds maps is reported, and what rounding moves is not
       const double size = contents.manipulator->size(), tolerance = symmetrize.value_or(rounding_of_decimals);
       symmetrize_constraints(description, contents.symmetric, size, tolerance, files, unused);
       symmetrize_constraints(mapped, contents.symmetric, size, tolerance, files,

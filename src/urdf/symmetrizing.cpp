@@ -89,7 +89,7 @@ SymmetricLegs symmetric_legs(const Manipulator& robot, const MechanismConfig& co
   return found;
 }
 
-// Moves no more than the loader rounds anyway, so that it is not told.
+// Moves no more than the loader rounds anyway, so that it is not reported.
 void keep_decimal_symmetry(Mechanism::Contents& contents, const MechanismConfig& config) {
   const Manipulator& robot = *contents.manipulator;
   SymmetricLegs found =

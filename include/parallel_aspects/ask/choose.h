@@ -38,8 +38,7 @@ void describe(Visit& visit, const PathClearance& clearance) {
   visit({"measured", "m", "the least that was measured"}, clearance.measured);
   visit({"time", "s", "of that pose"}, clearance.time);
   visit({"singularity", "", "`serial` or `parallel`"}, std::string(clearance.serial ? "serial" : "parallel"));
-  visit({"leg", "", "whose, where serial"},
-        clearance.serial ? std::make_optional(ask::LegIndex{clearance.leg}) : std::nullopt);
+  visit({"leg", "", "whose, where serial"}, ask::only_if(clearance.serial, ask::LegIndex{clearance.leg}));
   visit({"measures", "", "poses that were measured"}, static_cast<int>(clearance.measures));
 }
 
@@ -54,15 +53,13 @@ void describe(Visit& visit, const IndexRange& range) {
 template <class Visit>
 void describe(Visit& visit, const ModeOnPath& mode) {
   const TrajectoryCheck& check = mode.check;
-  const auto of_safe = [&check](double value) {
-    return check.answer == TrajectoryAnswer::safe ? std::make_optional(value) : std::nullopt;
-  };
+  const bool is_safe = check.answer == TrajectoryAnswer::safe;
   visit({"working_mode", "", "signs of B_jj"}, mode.mode);
   visit({"answer", "", "`yes`, `no` or `unknown`"}, check.answer);
   visit({"reason", "", "a message"}, check.reason);
   visit({"determinant_sign", "", "of det A at the start; 0 where not proved"}, mode.determinant_sign);
   visit({"aspect", "", "id of the one that holds the start; null where it is not known"},
-        mode.aspect > 0 ? std::make_optional(mode.aspect) : std::nullopt);
+        ask::only_if(mode.aspect > 0, mode.aspect));
   visit({"free_until", "s", "proved free from the start to here"}, check.free_until);
   visit({"first_violation", "", "as of `check`; null where there is none"}, check.violation);
   visit({"clearance", "",
@@ -73,8 +70,10 @@ void describe(Visit& visit, const ModeOnPath& mode) {
   visit({"least_index", "", "the least sampled `parallel` and `serial` index up to `free_until`"},
         ask::NamedValues{{"parallel", check.parallel_index.value}, {"serial", check.serial_index.value}});
   visit({"travel", "rad or m", "where it is safe: of each actuated joint; else empty"}, mode.travel);
-  visit({"total_travel", "rad or m", "its sum; null where it is not safe"}, of_safe(mode.total_travel()));
-  visit({"least_time", "s", "at the velocity limits; null where it is not safe"}, of_safe(mode.least_time));
+  visit({"total_travel", "rad or m", "its sum; null where it is not safe"},
+        ask::only_if(is_safe, mode.total_travel()));
+  visit({"least_time", "s", "at the velocity limits; null where it is not safe"},
+        ask::only_if(is_safe, mode.least_time));
 }
 
 /// Of a working mode in a region.
@@ -87,7 +86,7 @@ void describe(Visit& visit, const ModeInRegion& mode) {
   visit(
       {"least_index", "",
        "where the answer is yes: `lower` and `upper`, proved bounds of the least parallel index; else null"},
-      mode.answer == TrajectoryAnswer::safe ? std::make_optional(mode.least_index) : std::nullopt);
+      ask::only_if(mode.answer == TrajectoryAnswer::safe, mode.least_index));
   visit({"witnesses", "", "poses that refute it"}, mode.witnesses);
   visit({"undecided", "", "the share that is not proved"}, mode.undecided);
 }

@@ -53,9 +53,7 @@ struct DistanceTo {
 template <class Visit>
 void describe(Visit& visit, const DistanceTo& answer) {
   const BoundaryDistance& distance = answer.distance;
-  const auto of_witness = [&answer](const auto& value) {
-    return answer.has_witness() ? std::make_optional(value) : std::nullopt;
-  };
+  const bool is_found = answer.has_witness();
   visit({"status", "",
          "`tight`, `loose`, `no witness`, `absent` (proved: there is none), `touching`, or `unavailable`, "
          "where nothing is known"},
@@ -68,13 +66,13 @@ void describe(Visit& visit, const DistanceTo& answer) {
   visit({"leg", "", "at fault, of `serial` and `actuated_limit`; else null"}, answer.leg);
   visit({"limit", "", "`lower` or `upper`, of `actuated_limit`; else null"}, answer.limit);
   visit({"witness", "", "the nearest pose that was found; null, as the rest, where there is none"},
-        of_witness(distance.witness));
+        only_if(is_found, distance.witness));
   visit({"witness_joints", "rad or m", "values of the actuated joints there"},
-        of_witness(distance.witness_q));
+        only_if(is_found, distance.witness_q));
   visit({"direction", "rad and m, a metre", "twist (w, v) with which the path there starts, a metre of it"},
-        of_witness(distance.direction));
+        only_if(is_found, distance.direction));
   visit({"joint_displacement", "rad or m", "of each actuated joint, from here to the witness"},
-        of_witness(distance.joint_displacement));
+        only_if(is_found, distance.joint_displacement));
 }
 
 /// What is measured in one working mode.
@@ -93,16 +91,13 @@ struct DistancesInMode {
 /// Its fields.
 template <class Visit>
 void describe(Visit& visit, const DistancesInMode& answer) {
-  const auto where = [](bool holds, const auto& value) {
-    return holds ? std::make_optional(value) : std::nullopt;
-  };
   visit({"working_mode", "", "signs of B_jj"}, answer.mode);
   visit({"status", "", "`measured`, `outside limits`, `out of reach` or `invalid`"}, answer.distances.status);
   visit({"joints", "rad or m", "values of the actuated joints; null where nothing is measured"},
-        where(answer.is_reached(), answer.distances.q));
+        only_if(answer.is_reached(), answer.distances.q));
   visit({"missed_margins", "",
          "a sentence about each margin that the configuration does not keep; null where it keeps all"},
-        where(!answer.missed_margins.empty(), answer.missed_margins));
+        only_if(!answer.missed_margins.empty(), answer.missed_margins));
   visit({"parallel", "", "the distance to det A = 0, as follows"}, answer.parallel());
   visit({"serial", "", "to B_jj = 0 of some leg, likewise"}, answer.serial());
   visit({"actuated_limit", "", "to a limit of some actuated joint, likewise"}, answer.actuated_limit());

@@ -132,9 +132,6 @@ std::string between_points(const std::optional<MapSlice>& slice);
 template <class Visit>
 void describe(Visit& visit, const PlanAnswer& answer) {
   const bool has_path = static_cast<bool>(answer.path);
-  const auto of_path = [has_path](double value) {
-    return has_path ? std::make_optional(value) : std::nullopt;
-  };
   visit({"policy", "", "`stay`, `serial` or `any`"}, answer.policy);
   visit({"prefer", "", "`quick`, `short`, `clear` or `fast`"}, answer.prefer);
   visit({"answer", "", "`yes`, `no` or `unknown`"}, answer.path.answer);
@@ -158,12 +155,13 @@ void describe(Visit& visit, const PlanAnswer& answer) {
        "`to_aspect` (null over a roadmap)"},
       answer.path.crossings);
   visit({"length", "m", "of the way of the operational point; null without a path"},
-        of_path(answer.path.length));
+        only_if(has_path, answer.path.length));
   visit({"turned", "rad", "of the rotation of the platform; null without a path"},
-        of_path(answer.path.turned));
+        only_if(has_path, answer.path.turned));
   visit({"least_index", "", "smallest parallel index at 32 poses a segment, not proved; null without a path"},
-        of_path(answer.path.least_index));
-  visit({"least_det_a", "", "smallest determinant there, likewise"}, of_path(answer.path.least_det_a));
+        only_if(has_path, answer.path.least_index));
+  visit({"least_det_a", "", "smallest determinant there, likewise"},
+        only_if(has_path, answer.path.least_det_a));
   visit({"moved_onto_slice", "m", "how far an end was moved onto what {hold} says; null without it"},
         answer.moved_onto_slice);
   visit({"around_cusp", "", "the number of the cusp, where asked for; else null"}, answer.around_cusp);
@@ -179,9 +177,9 @@ void describe(Visit& visit, const PlanAnswer& answer) {
   visit({"other_start", "",
          "with {around_cusp} and without a path: the `component` that the cusp belongs to and, where one is "
          "found, `pose`, `working_mode` and `actuated` of a start that has a path; else null"},
-        answer.other_start.aspect != 0 ? std::make_optional(answer.other_start) : std::nullopt);
+        only_if(answer.other_start.aspect != 0, answer.other_start));
   visit({"loaded", "", "whether the map is that of {load}; null where no map was asked"},
-        answer.map ? std::make_optional(answer.loaded) : std::nullopt);
+        only_if(answer.map != nullptr, answer.loaded));
   visit({"seconds", "s", "of the path in time; null where it is not timed"},
         answer.timed && *answer.timed ? std::make_optional(answer.timed->seconds) : std::nullopt);
   visit({"trajectory", "",

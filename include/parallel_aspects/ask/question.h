@@ -37,6 +37,12 @@ struct Count {
   static constexpr unsigned upper = largest;  ///< the second
 };
 
+/// A value where there is one, else nothing.
+template <class Value>
+std::optional<Value> only_if(bool holds, const Value& value) {
+  return holds ? std::make_optional(value) : std::nullopt;
+}
+
 /// One of the legs, which faces write by its name.
 struct LegIndex {
   std::size_t index = 0;  ///< in the order of the legs
@@ -108,6 +114,7 @@ std::string given(const std::string& text);
 
 /// A sentence of a layer below.
 Problem told(std::string sentence);
+void add_told(const Problems& sentences, ProblemList& problems);  ///< each of several
 
 }  // namespace parallel_aspects::ask
 

@@ -105,7 +105,7 @@ void describe(Visit& visit, const ShapeInAspect& answer) {
   visit({"determinant_sign", "", "of det A there"}, answer.determinant_sign);
   visit({"shape", "", "`box`, `square`, `disc`, `cylinder` or `ball`"}, answer.shape);
   visit({"center", "m", "of the shape that is proved, by free position; null where none was found"},
-        answer.center.empty() ? std::nullopt : std::make_optional(answer.center));
+        only_if(!answer.center.empty(), answer.center));
   visit({"lengths", "m", "of that shape, by name: `radius`, `height`, `edge`, or `edge_x` and so on"},
         answer.lengths);
   visit({"lower", "m", "proved: the first of these lengths; 0 where none was found"}, answer.found.lower);

@@ -91,9 +91,6 @@ std::vector<std::pair<std::string, double>> lengths_of(const AspectMap& map,
 /// "box", "square", "disc", "cylinder" or "ball".
 const char* name(RegularShape shape) noexcept;
 
-/// The shape with this name; nothing where there is none.
-std::optional<RegularShape> shape_named(const std::string& name);
-
 /// How many positions are free: of a slice, or of all poses.
 std::size_t free_positions(const Manipulator& manipulator, const std::optional<MapSlice>& slice) noexcept;
 

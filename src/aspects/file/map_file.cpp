@@ -13,11 +13,8 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <fstream>
 #include <new>
-#include <system_error>
-#include <unistd.h>
 #include <utility>
 #include <zlib.h>
 
@@ -129,13 +126,7 @@ MapResult loaded(std::shared_ptr<const Manipulator> manipulator, const MapOption
 }  // namespace
 
 std::string problem_of_saving(const std::string& path) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path folder = fs::path(path).parent_path();
-  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
-    return "is in no folder that can be written to";
-  if (!fs::exists(path, error)) return "";
-  if (!fs::is_regular_file(path, error)) return "is not a regular file";
+  if (const std::string why = problem_of_writing(path); !why.empty()) return why;
   std::array<char, magic.size()> start{};
   std::ifstream file(path, std::ios::binary);
   file.read(start.data(), start.size());

@@ -75,6 +75,15 @@ bool write_and_rename(Descriptor& file, const std::string& temporary, const std:
 
 }  // namespace
 
+std::string problem_of_writing(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path folder = fs::path(path).parent_path();
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
+    return "is in no folder that can be written to";
+  return fs::exists(path, error) && !fs::is_regular_file(path, error) ? "is not a regular file" : "";
+}
+
 std::string read_whole_file(const std::string& path, std::size_t most, Bytes& bytes) {
   // Without O_NONBLOCK a pipe would wait for its other end.
   const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));

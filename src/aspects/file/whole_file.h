@@ -13,6 +13,9 @@ namespace parallel_aspects {
 /// cannot be read: No such file or directory".
 std::string read_whole_file(const std::string& path, std::size_t most, Bytes& bytes);
 
+/// Why no file can be written there, such as "is in no folder that can be written to"; empty where one can.
+std::string problem_of_writing(const std::string& path);
+
 /// Makes `bytes` the file's whole contents: at every moment, also after a crash, the file is the old one or
 /// the new one. A link is followed, and what is no regular file, such as a device, is not touched. Empty when
 /// done; else why not, and the old file is untouched.

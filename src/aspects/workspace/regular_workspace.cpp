@@ -272,10 +272,4 @@ std::vector<std::pair<std::string, double>> lengths_of(const AspectMap& map,
 
 const char* name(RegularShape shape) noexcept { return traits_of(shape).name; }
 
-std::optional<RegularShape> shape_named(const std::string& name) {
-  for (const ShapeTraits& traits : shapes)
-    if (name == traits.name) return traits.shape;
-  return std::nullopt;
-}
-
 }  // namespace parallel_aspects

@@ -193,18 +193,6 @@ std::size_t passive_joints_at_limits(const ClosureSystem& system, const Assembly
   return count;
 }
 
-// Rates of the actuated joints in each motion, lengths in sizes of the robot.
-Eigen::MatrixXd actuated_rates(const ClosureSystem& system, const Eigen::MatrixXd& motions,
-                               const std::vector<std::size_t>& actuated_joints) {
-  Eigen::MatrixXd rates(static_cast<Eigen::Index>(actuated_joints.size()), motions.cols());
-  for (std::size_t k = 0; k < actuated_joints.size(); ++k) {
-    const bool prismatic = system.tree().joint_of(actuated_joints[k]).motion == JointMotion::prismatic;
-    rates.row(static_cast<Eigen::Index>(k)) =
-        motions.row(static_cast<Eigen::Index>(actuated_joints[k])) / (prismatic ? system.size() : 1.0);
-  }
-  return rates;
-}
-
 // Actuated joints that move independently come first: a mechanism may have other branches, as a parallelogram
 // that is crossed. Then least mobility; then a platform that moves in most ways; then good ones, away from
 // limits; then the earliest, which is nearest to zero, unless a later one is much better conditioned.
@@ -397,6 +385,17 @@ Eigen::VectorXd random_start(const ClosureSystem& system, std::mt19937& random) 
   }
   clamp_to_limits(tree, values);
   return values;
+}
+
+Eigen::MatrixXd actuated_rates(const ClosureSystem& system, const Eigen::MatrixXd& motions,
+                               const std::vector<std::size_t>& actuated_joints) {
+  Eigen::MatrixXd rates(static_cast<Eigen::Index>(actuated_joints.size()), motions.cols());
+  for (std::size_t k = 0; k < actuated_joints.size(); ++k) {
+    const bool prismatic = system.tree().joint_of(actuated_joints[k]).motion == JointMotion::prismatic;
+    rates.row(static_cast<Eigen::Index>(k)) =
+        motions.row(static_cast<Eigen::Index>(actuated_joints[k])) / (prismatic ? system.size() : 1.0);
+  }
+  return rates;
 }
 
 AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& actuated_joints,

@@ -44,6 +44,10 @@ LoopMotions loop_motions(const ClosureSystem& system, const Eigen::VectorXd& val
 Eigen::MatrixXd link_twists(const ClosureSystem& system, const Poses& poses, std::size_t link,
                             const Eigen::MatrixXd& motions);
 
+/// Rates of the actuated joints in each of such motions, lengths in sizes of the robot; a row for each joint.
+Eigen::MatrixXd actuated_rates(const ClosureSystem& system, const Eigen::MatrixXd& motions,
+                               const std::vector<std::size_t>& actuated_joints);
+
 struct AssemblyResult {
   std::optional<Assembly> assembly;
   Eigen::VectorXd closest;  ///< where the loops come closest to closing, if they do not

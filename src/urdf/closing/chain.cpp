@@ -3,7 +3,6 @@
 
 #include "model/number_text.h"
 #include "urdf/closing/held_twists.h"
-#include "urdf/closing/loose_chains.h"
 
 #include <algorithm>
 #include <map>

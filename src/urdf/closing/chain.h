@@ -84,6 +84,12 @@ Note joint_names_of(const Chain& chain);
 FoundLegs find_legs(const AssembledMechanism& mechanism, const ActuatedJoints& actuated_joints,
                     const SourceNames& files, Problems& problems);
 
+/// The parts between base and platform that keep the platform from no motion, by the rank of their twists,
+/// though `mechanism.still` are fixed; the chains of each.
+std::vector<std::vector<Chain>> chains_that_hold_nothing(const AssembledMechanism& mechanism,
+                                                         const ActuatedJoints& actuated_joints,
+                                                         const SourceNames& files);
+
 /// A joint between base and platform.
 struct LegJoint {
   std::size_t variable = 0;  ///< index of its joint value

@@ -21,7 +21,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double other_axis = 0.01;    // sine of the angle to the axis that is stated, at least
-constexpr double axis_decimal = 1e-6;  // to which axes are said
+constexpr double axis_decimal = 1e-6;  // to which axes are printed
 
 using Group = std::vector<std::size_t>;  // of closures
 

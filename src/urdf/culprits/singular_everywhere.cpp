@@ -34,13 +34,7 @@ class DriveOfPlatform {
     if (has_idle && count != drives_of_spinning_rods) return false;
     if (!platform_freedom(system_, {values, loops.motions, 0.0}, joints_.platform_link, count).is_full(count))
       return false;
-    Eigen::MatrixXd rates(static_cast<Eigen::Index>(count), loops.motions.cols());
-    for (std::size_t j = 0; j < count; ++j) {
-      const bool slides = system_.tree().joint_of(joints_.variables[j]).motion == JointMotion::prismatic;
-      rates.row(static_cast<Eigen::Index>(j)) =
-          loops.motions.row(static_cast<Eigen::Index>(joints_.variables[j])) /
-          (slides ? system_.size() : 1.0);
-    }
+    const Eigen::MatrixXd rates = actuated_rates(system_, loops.motions, joints_.variables);
     const bool all_move = rates.rowwise().norm().minCoeff() > velocity_tolerance;
     return all_move && singular_values(rates).minCoeff() < rank_tolerance && has_legs(values);
   }
