@@ -47,12 +47,14 @@ DistanceOptions DistanceQuestion::options() const {
 }
 
 bool DistancesInMode::is_reached() const noexcept {
-  return distances || distances.status == ConfigurationStatus::outside_limits;
+  return distances || distances.status == ConfigurationStatus::outside_limits ||
+         distances.status == ConfigurationStatus::at_serial_singularity;
 }
 
 DistanceTo DistancesInMode::serial() const {
   DistanceTo result{distances.serial};
-  if (result.has_witness()) result.leg = LegIndex{distances.serial.leg};
+  if (result.has_witness() || distances.serial.status == DistanceStatus::touching)
+    result.leg = LegIndex{distances.serial.leg};
   return result;
 }
 

@@ -87,11 +87,7 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
     result.status = solution.status == InverseStatus::solved ? ConfigurationStatus::measured
                                                              : ConfigurationStatus::outside_limits;
     search(pose, mode, result);
-    if (result.status == ConfigurationStatus::outside_limits) {
-      result.actuated_limit = BoundaryDistance();
-      result.actuated_limit.status = DistanceStatus::touching;
-      result.actuated_limit.leg = solution.leg;
-    }
+    if (solution.status == InverseStatus::outside_limits) result.actuated_limit = touching(solution.leg);
     return result;
   }
 
@@ -101,6 +97,13 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
     return leg_boundaries<Chart::dimension>(manipulator);
   }
 
+  static BoundaryDistance touching(std::size_t leg) noexcept {
+    BoundaryDistance result;
+    result.status = DistanceStatus::touching;
+    result.leg = leg;
+    return result;
+  }
+
   void search(const Pose& pose, const WorkingMode& mode, BoundaryDistances& result) noexcept {
     std::optional<SearchResult<Chart::size>> parallel, serial, limit;
     {
@@ -108,8 +111,9 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
       chart_.move_to(pose);
       determinant_.set_mode(mode);
       map_.set_mode(mode);
-      if (!determinant_.is_reached(std::array<Interval, Chart::size>{})) {
-        result.status = ConfigurationStatus::out_of_reach;
+      if (const auto leg = determinant_.unproved_leg(std::array<Interval, Chart::size>{})) {
+        result.status = ConfigurationStatus::at_serial_singularity;
+        result.serial = touching(*leg);
         return;
       }
       const SearchRange range = search_range();
@@ -231,6 +235,8 @@ const char* name(ConfigurationStatus status) noexcept {
       return "measured";
     case ConfigurationStatus::outside_limits:
       return "outside limits";
+    case ConfigurationStatus::at_serial_singularity:
+      return "at a serial singularity";
     case ConfigurationStatus::out_of_reach:
       return "out of reach";
     case ConfigurationStatus::invalid:

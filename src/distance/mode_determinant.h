@@ -81,12 +81,15 @@ class ModeDeterminant {
   }
 
   /// Whether every leg is proved to reach with B_jj != 0 in a box.
-  bool is_reached(const std::array<Interval, size>& box) const noexcept {
+  bool is_reached(const std::array<Interval, size>& box) const noexcept { return !unproved_leg(box); }
+
+  /// The first leg that is not proved to reach with B_jj != 0 in a box.
+  std::optional<std::size_t> unproved_leg(const std::array<Interval, size>& box) const noexcept {
     std::array<LegRows<Interval, size>, size> legs;
     chart_.find_rows(box, legs);
-    for (const auto& leg : legs)
-      if (!leg.squared_entry.positive()) return false;
-    return true;
+    for (std::size_t j = 0; j < size; ++j)
+      if (!legs[j].squared_entry.positive()) return j;
+    return std::nullopt;
   }
 
   /// det A over the part of a cell in a ball, and B_jj^2 of the legs of which it is not proved there that

@@ -109,10 +109,26 @@ TEST(BoundaryDistances, WhatCannotBeMeasuredIsSaid) {
   EXPECT_EQ(meter.measure(at(1e300, 8.0), mode_of({1, 1})).status, ConfigurationStatus::invalid);
   EXPECT_EQ(meter.measure(at(4.5, 8.0), mode_of({1, 1, 1})).status, ConfigurationStatus::invalid);
   EXPECT_EQ(meter.measure(at(4.5, 80.0), mode_of({1, 1})).status, ConfigurationStatus::out_of_reach);
+  EXPECT_EQ(meter.measure(at(13.001, 0.0), mode_of({1, 1})).status, ConfigurationStatus::out_of_reach);
+}
+
+// Where inverse kinematics has joint values, the pose is not out of reach.
+TEST(BoundaryDistances, AtASerialSingularityThatOneIsTouched) {
+  BoundaryDistanceMeter meter(test::five_bar());
+  for (const double y : {0.0, 1e-9})
+    for (const WorkingMode& mode : working_modes(*test::five_bar())) {
+      ASSERT_TRUE(inverse(*test::five_bar(), at(13.0 - y, 0.0), mode));
+      const BoundaryDistances on = meter.measure(at(13.0 - y, 0.0), mode);
+      EXPECT_NE(on.status, ConfigurationStatus::out_of_reach);
+      EXPECT_EQ(on.serial.leg, 0U);
+      EXPECT_LE(on.serial.lower, y);
+    }
   const BoundaryDistances on = meter.measure(at(13.0, 0.0), mode_of({1, 1}));
-  EXPECT_EQ(on.status, ConfigurationStatus::out_of_reach);
-  EXPECT_EQ(on.serial.status, DistanceStatus::unavailable);
+  EXPECT_EQ(on.status, ConfigurationStatus::at_serial_singularity);
+  EXPECT_EQ(on.serial.status, DistanceStatus::touching);
   EXPECT_EQ(on.serial.lower, 0.0);
+  EXPECT_EQ(on.parallel.status, DistanceStatus::unavailable);
+  EXPECT_FALSE(on);
 }
 
 TEST(BoundaryDistances, OutsideLimitsTheLimitIsTouched) {

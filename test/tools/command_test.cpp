@@ -138,6 +138,23 @@ TEST_F(Command, DistancesAreATable) {
   EXPECT_EQ(run({"distance", "five_bar", "--pose", "4.5 80"}).code, exit_code::ok);
 }
 
+// What the one subcommand solves the other one measures, also where a leg is stretched.
+TEST_F(Command, APoseAtASerialSingularityIsNotOutOfReach) {
+  EXPECT_EQ(run_json({"ik", "five_bar", "--pose", "13 0"})["solutions"][0]["status"], "solved");
+  const json answer = run_json({"distance", "five_bar", "--pose", "13 0"})["answers"][0];
+  EXPECT_EQ(answer["status"], "at a serial singularity");
+  EXPECT_EQ(answer["serial"]["status"], "touching");
+  EXPECT_EQ(answer["serial"]["lower"], 0.0);
+  EXPECT_EQ(answer["serial"]["leg"], "leg_1");
+  EXPECT_TRUE(answer["joints"].is_array());
+  EXPECT_NE(run({"distance", "five_bar", "--pose", "13 0"}).output.find("touching"), std::string::npos);
+}
+
+TEST_F(Command, PosesBeyondALimitSayByHowMuch) {
+  const std::string answer = run({"ik", "bipod", "--pose", "0.4 1.9595917"}).output;
+  EXPECT_NE(answer.find("at 2 m, outside its limits [2, 6] by 9.2"), std::string::npos) << answer;
+}
+
 TEST_F(Command, UnknownRobotIsAnsweredWithTheKnownOnes) {
   const Outcome outcome = run({"describe", "four_bar"});
   EXPECT_EQ(outcome.code, exit_code::bad_input);

@@ -92,7 +92,9 @@ struct DistancesInMode {
 template <class Visit>
 void describe(Visit& visit, const DistancesInMode& answer) {
   visit({"working_mode", "", "signs of B_jj"}, answer.mode);
-  visit({"status", "", "`measured`, `outside limits`, `out of reach` or `invalid`"}, answer.distances.status);
+  visit(
+      {"status", "", "`measured`, `outside limits`, `at a serial singularity`, `out of reach` or `invalid`"},
+      answer.distances.status);
   visit({"joints", "rad or m", "values of the actuated joints; null where nothing is measured"},
         only_if(answer.is_reached(), answer.distances.q));
   visit({"missed_margins", "",

@@ -74,7 +74,9 @@ enum class ConfigurationStatus {
   measured,        ///< all three distances
   outside_limits,  ///< an actuated joint is at or beyond a limit; singularities are measured, the limit is
                    ///< `touching`
-  out_of_reach,    ///< not proved that each leg reaches with B_jj != 0; nothing is measured
+  at_serial_singularity,  ///< each leg reaches, but B_jj of one is 0 to rounding: the serial singularity is
+                          ///< `touching`, det A = 0 is not measured, nor a limit unless it is `touching`
+  out_of_reach,           ///< a leg does not reach; nothing is measured
   invalid,  ///< numbers not finite or beyond 1e9 m, a quaternion far from unit length, a mode that the legs
             ///< do not have, or anchors in one point or line, about which the metric sees no rotation
 };
@@ -138,7 +140,7 @@ class BoundaryDistanceMeter {
 /// "tight", "loose", "no witness", "absent", "touching" or "unavailable".
 const char* name(DistanceStatus status) noexcept;
 
-/// "measured", "outside limits", "out of reach" or "invalid".
+/// "measured", "outside limits", "at a serial singularity", "out of reach" or "invalid".
 const char* name(ConfigurationStatus status) noexcept;
 
 /// "lower" or "upper".

@@ -25,12 +25,17 @@ std::string length_text(const Manipulator& manipulator, double length) {
   return moves_on_unit_sphere(manipulator) ? shown_angle(angle_of_chord(length)) : shown(length);
 }
 
+std::string lower_text(const Manipulator& manipulator, const BoundaryDistance& distance) {
+  if (distance.status == DistanceStatus::absent) return "none";
+  return distance.status == DistanceStatus::unavailable ? "-" : length_text(manipulator, distance.lower);
+}
+
 void add_row(const Manipulator& manipulator, const WorkingMode& mode, const std::string& boundary,
              const ask::DistanceTo& answer, TextTable& table) {
   const BoundaryDistance& distance = answer.distance;
   const bool found = answer.has_witness();
   table.add({to_string(mode), boundary + (answer.leg ? ", " + manipulator.leg(answer.leg->index).name : ""),
-             distance.status == DistanceStatus::absent ? "none" : length_text(manipulator, distance.lower),
+             lower_text(manipulator, distance),
              found ? length_text(manipulator, distance.upper) + (distance.upper_proved ? "" : " (not proved)")
                    : "-",
              name(distance.status), found ? to_string(manipulator.task_space(), distance.witness) : "-",

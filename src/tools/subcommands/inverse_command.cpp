@@ -7,12 +7,20 @@
 #include "tools/report/text_table.h"
 #include "tools/subcommands.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace parallel_aspects::tools {
 namespace {
 
 using nlohmann::json;
+
+/// By how much, too: what is beyond them by the rounding of a pose that was typed looks like the limit
+/// itself.
+std::string outside(const JointLimits& limits, double value) {
+  return "outside its limits [" + shown(limits.lower) + ", " + shown(limits.upper) + "] by " +
+         shown(std::max(limits.lower - value, value - limits.upper));
+}
 
 std::string reason(const Manipulator& manipulator, const Pose& pose, const InverseSolution& solution) {
   const Leg& leg = manipulator.leg(solution.leg);
@@ -21,7 +29,7 @@ std::string reason(const Manipulator& manipulator, const Pose& pose, const Inver
     return who + "cannot reach " + to_string(manipulator.task_space(), pose) + ".";
   const double value = solution.q[static_cast<Eigen::Index>(solution.leg)];
   return who + "would need joint '" + leg.actuated_joint + "' at " + shown(value) + " " + joint_unit(leg) +
-         ", outside its limits [" + shown(leg.limits.lower) + ", " + shown(leg.limits.upper) + "].";
+         ", " + outside(leg.limits, value) + ".";
 }
 
 // Of every joint; empty where the loops do not close.
@@ -84,10 +92,9 @@ std::string status_text(const Mechanism& mechanism, const Pose& pose, const Inve
     const std::string missed = missed_margins(*mechanism.manipulator(), pose, solution.q);
     return missed.empty() ? name(solution.status) : missed;
   }
-  const JointLimits& limits = mechanism.joint_limits()[*joint];
-  return "passive joint '" + mechanism.joint_names()[*joint] + "' at " +
-         shown(positions[static_cast<Eigen::Index>(*joint)]) + ", outside its limits [" +
-         shown(limits.lower) + ", " + shown(limits.upper) + "]";
+  const double value = positions[static_cast<Eigen::Index>(*joint)];
+  return "passive joint '" + mechanism.joint_names()[*joint] + "' at " + shown(value) + ", " +
+         outside(mechanism.joint_limits()[*joint], value);
 }
 
 std::vector<std::string> row(const Mechanism& mechanism, const Pose& pose, const InverseSolution& solution) {
