@@ -5,6 +5,7 @@
 #include "parallel_aspects/singularity/indices.h"
 #include "parallel_aspects/urdf/models.h"
 #include "tools/arguments.h"
+#include "tools/shipped_robots.h"
 
 #include "python/arrays.h"
 #include "python/bindings.h"
@@ -53,10 +54,7 @@ py::tuple loaded(const SharedMechanism& mechanism) {
 py::tuple load(const std::string& name) {
   for (const ShippedRobot& robot : shipped_robots)
     if (name == robot.name) return loaded(robot.load());
-  std::string known;
-  for (const std::string& each : robots()) known += (known.empty() ? "" : ", ") + each;
-  throw InvalidDescription({"There is no shipped robot '" + name + "'; take one of: " + known +
-                            "; or give a URDF and a YAML file."});
+  throw InvalidDescription({tools::no_such_robot(name, robots(), "a URDF and a YAML file")});
 }
 
 py::tuple load_files(const std::string& urdf, const std::string& config) {

@@ -5,6 +5,8 @@
 #include "tools/report/text_table.h"
 #include "urdf/description/nearest_name.h"
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstddef>
 
@@ -13,6 +15,17 @@ namespace {
 
 constexpr const char* given_twice = ": it is given twice; give it once";
 constexpr const char *options_end = "--", *short_output = "-o", *long_output = "--output";
+
+/// Options of different subcommands for one thing.
+const std::array<std::vector<std::string>, 6>& same_options() {
+  static const std::array<std::vector<std::string>, 6> groups{{{"--slice", "--hold"},
+                                                               {"--load", "--map"},
+                                                               {"--picture", long_output, short_output},
+                                                               {"--pose", "--from", "--start-pose"},
+                                                               {"--mode", "--from-mode"},
+                                                               {"--joints", "--from-joints"}}};
+  return groups;
+}
 
 bool is_named(const std::string& argument) { return argument.size() > 1 && argument.front() == '-'; }
 
@@ -75,13 +88,23 @@ class Parser {
   }
 
   std::string meant(const std::string& name) const {
+    const std::vector<std::string> known = names();
+    for (const std::vector<std::string>& group : same_options()) {
+      if (!contains(group, name)) continue;
+      for (const std::string& same : group)
+        if (contains(known, same)) return "; did you mean " + same + "?";
+    }
+    return did_you_mean(name, known);
+  }
+
+  std::vector<std::string> names() const {
     std::vector<std::string> known{"--help"};
     for (const Option& option : subcommand_.options) {
       if (is_named(option.name)) known.push_back(option.name);
       if (option.name == short_output) known.emplace_back(long_output);
     }
     for (const Flag& flag : subcommand_.flags) known.push_back(flag.name);
-    return did_you_mean(name, known);
+    return known;
   }
 
   void take_positional(const std::string& argument) {

@@ -58,8 +58,7 @@ RobotChoice shipped_files(const std::string& name) {
   const fs::path share = share_folder();
   const std::vector<std::string> known = shipped_robots(share);
   if (std::find(known.begin(), known.end(), name) == known.end())
-    throw InvalidDescription({"There is no shipped robot '" + name +
-                              "'; take one of: " + joined(known, ", ") + "; or give ROBOT.urdf ROBOT.yaml."});
+    throw InvalidDescription({no_such_robot(name, known, "ROBOT.urdf ROBOT.yaml")});
   return {"", urdf_path(share, name).string(), (config_folder(share) / (name + ".yaml")).string()};
 }
 
@@ -101,6 +100,13 @@ std::shared_ptr<const Mechanism> load(const RobotChoice& choice) {
 }
 
 }  // namespace
+
+std::string no_such_robot(const std::string& name, const std::vector<std::string>& known,
+                          const std::string& otherwise) {
+  const std::string meant = did_you_mean(name, known);
+  return "There is no shipped robot '" + name + "'" +
+         (meant.empty() ? "; take one of: " + joined(known, ", ") + "; or give " + otherwise + "." : meant);
+}
 
 bool names_file(const std::string& word) { return word.find_first_of("./") != std::string::npos; }
 

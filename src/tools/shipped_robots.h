@@ -22,6 +22,11 @@ std::filesystem::path share_folder();
 /// Names of the robots in a share folder, sorted.
 std::vector<std::string> shipped_robots(const std::filesystem::path& share);
 
+/// That there is none of that name among those `known`, with the one that may be meant, else with all of them
+/// and how `otherwise` robots are given.
+std::string no_such_robot(const std::string& name, const std::vector<std::string>& known,
+                          const std::string& otherwise);
+
 /// Whether a word is a file, not the name of a shipped robot: it has a dot or a slash.
 bool names_file(const std::string& word);
 

@@ -145,6 +145,14 @@ TEST_F(CommandLine, EveryMisunderstandingHasItsSentence) {
   EXPECT_EQ(problem_of({"five_bar", "--pose", "1", "x"}), "'x': there is no place for it");
 }
 
+// What another subcommand calls it, also where another name looks more alike: --hold is near --help.
+TEST_F(CommandLine, OptionsOfOtherSubcommandsNameTheOneHere) {
+  EXPECT_EQ(problem_of({"--hold", "z=1"}), "--hold: there is no such option; did you mean --slice?");
+  EXPECT_EQ(problem_of({"--from-mode=+"}), "--from-mode: there is no such option; did you mean --mode?");
+  EXPECT_EQ(problem_of({"--from", "1"}), "--from: there is no such option; did you mean --pose?");
+  EXPECT_EQ(problem_of({"--map", "file"}), "--map: there is no such option") << "nor one to load it by";
+}
+
 TEST_F(CommandLine, HelpHasEveryOptionOnALine) {
   EXPECT_EQ(help_of("aspects", subcommand_),
             "Turn the platform\n\n"
