@@ -95,7 +95,7 @@ class TwoPublishers : public SeveralPublishers {
     bool second;
   };
   struct Counts {
-    int believed = 0, wrongly = 0, missed = 0;
+    int believed = 0, wrongly = 0, missed = 0, while_both_speak = 0;
   };
 
   static NodeOptions trusting() {
@@ -134,6 +134,7 @@ class TwoPublishers : public SeveralPublishers {
       came[arrival.second] = at(arrival.time);
       counts.believed += believed;
       counts.wrongly += believed && both_speak;
+      counts.while_both_speak += both_speak;
       counts.missed += !both_speak && !believed;
     }
     return counts;
@@ -150,6 +151,7 @@ class TwoPublishers : public SeveralPublishers {
 
 TEST_F(TwoPublishers, NoneIsBelievedWhileBothSpeakWhateverTheirRates) {
   const std::vector<double> rates{14.0, 30.0, 100.0, 200.0, 500.0};
+  int looked_at = 0;
   for (const double first : rates)
     for (const double second : rates) {
       if (first == second && first != 100.0 && first != 500.0) continue;
@@ -165,8 +167,10 @@ TEST_F(TwoPublishers, NoneIsBelievedWhileBothSpeakWhateverTheirRates) {
           ASSERT_EQ(counts.missed, 0)
               << first << " and " << second << " Hz from " << begin << ", off by " << offset;
           ASSERT_GT(counts.believed, 0) << "the first before, and the second after it has ended";
+          looked_at += counts.while_both_speak;
         }
     }
+  EXPECT_GT(looked_at, 50000);
 }
 
 // The second is silent for just less than the timeout, or just more, by turns.
