@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/monitor/map_worker.h"
 
+#include "aspects/map/empty_map.h"
 #include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/constraint_boundaries.h"
 #include "parallel_aspects/aspects/map_file.h"
@@ -49,7 +50,8 @@ std::string complete_message(const AspectMap& map) {
          ", proved: " + (is_exact ? "exactly " : "at least ") + std::to_string(map.proved_count()) +
          (most < 0 || is_exact ? "" : " and at most " + std::to_string(most)) +
          (is_cut_by_region(map) ? ", in the region" : "") +
-         "; pairs unresolved: " + std::to_string(map.unresolved().size()) + "; time: " + seconds + ".";
+         "; pairs unresolved: " + std::to_string(map.unresolved().size()) + "; time: " + seconds + "." +
+         (map.aspects().empty() ? " " + why_empty(map) : "");
 }
 
 std::string complete_message(const PoseRoadmap& roadmap) {

@@ -344,7 +344,10 @@ void RobotServer::on_map_progress(const MapProgress& progress, const std::shared
     monitor_.set_map(map);
     display_.set_map(map);
     display_.set_domains(nullptr);  // those were of the map before
-    ROS_INFO_STREAM(progress.message << "\n" << aspect_table(*map));
+    if (map->aspects().empty())
+      ROS_WARN_STREAM(progress.message);
+    else
+      ROS_INFO_STREAM(progress.message << "\n" << aspect_table(*map));
   } else if (progress.state == MapProgress::COMPLETE) {
     ROS_INFO_STREAM(progress.message);
   } else if (progress.state == MapProgress::REFUSED) {

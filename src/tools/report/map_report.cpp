@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/map/empty_map.h"
 #include "aspects/map/map_contents.h"
 #include "aspects/pictures/palette.h"
 #include "model/coefficients.h"
@@ -241,6 +242,9 @@ Report report_map(const AspectMap& map, const MapReportOptions& options) {
   const Report bounds = report_bounds(map, options.verbose);
   report.json.update(bounds.json);
   report.text += bounds.text;
+  const std::string reason = why_empty(map);
+  if (!reason.empty()) report.text += "\nnote: " + reason + "\n";
+  report.json["no_aspect"] = reason.empty() ? json() : json(reason);
   report.json["loaded"] = options.loaded;
   return report;
 }

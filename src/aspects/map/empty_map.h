@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_MAP_EMPTY_MAP_H
+#define PARALLEL_ASPECTS_ASPECTS_MAP_EMPTY_MAP_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+
+#include <string>
+
+namespace parallel_aspects {
+
+/// Why a map holds no aspect, with what to change, in a sentence; empty where it holds one. It tries what
+/// single constraints leave out in coarse maps of the same region, which takes less time than a map.
+std::string why_empty(const AspectMap& map);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_MAP_EMPTY_MAP_H
