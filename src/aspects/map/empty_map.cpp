@@ -85,13 +85,20 @@ std::string kept_out(const std::vector<ConstraintKind>& kinds, const std::string
 
 }  // namespace
 
+std::string why_out_of_reach(const Box& region, const std::optional<Box>& reach,
+                             const std::vector<std::string>& names) {
+  if (!reach || !is_apart(region, *reach)) return "";
+  return "The region lies outside of what the legs can reach, which is within " + ranges_text(names, *reach) +
+         "; give another region, or leave it out.";
+}
+
 std::string why_empty(const AspectMap& map) {
   if (!map.aspects().empty()) return "";
   const std::optional<Box> reach = map.contents().classifier->reachable_positions(),
                            region = positions_of(map);
-  if (reach && region && is_apart(*region, *reach))
-    return "The region lies outside of what the legs can reach, which is within " +
-           ranges_text(map.coordinates(), *reach) + "; give another region, or leave it out.";
+  if (const std::string text = region ? why_out_of_reach(*region, reach, map.coordinates()) : "";
+      !text.empty())
+    return text;
   const ConstraintKinds all = map.manipulator()->constraint_kinds();
   std::vector<ConstraintKind> present, decisive;
   for (const ConstraintKind kind : all_constraint_kinds)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/map_plan.h"
 
+#include "aspects/map/empty_map.h"
 #include "aspects/map/symmetric_region.h"
 #include "aspects/tree/held_joint_space.h"
 #include "aspects/tree/pose_tree.h"
@@ -59,6 +60,49 @@ std::string find_workspace_problem(const Manipulator& manipulator, const MapPlan
   return "";
 }
 
+/// The coordinate in which a region lies farthest from zero for its width.
+struct Farthest {
+  std::size_t coordinate = 0;
+  double width = 0.0, distance = 0.0;  // [m]
+};
+
+Farthest farthest_in_widths(const Box& region) {
+  Farthest worst;
+  for (std::size_t i = 0; i < region.dimension; ++i) {
+    const double distance = std::max(std::abs(region.lower[i]), std::abs(region.upper[i]));
+    if (i == 0 || distance * worst.width > worst.distance * region.width(i))
+      worst = {i, region.width(i), distance};
+  }
+  return worst;
+}
+
+/// Why these positions, of which all that the workspace leaves is empty or has no `exact_region`, make no
+/// map.
+std::string why_not_exact(const Manipulator& manipulator, const MapOptions& options, const MapPlan& plan,
+                          const Box& region) {
+  constexpr double widths_away = 500.0;  // as far as every region may lie
+  std::vector<std::string> names;
+  for (const Eigen::Index i : mapped_positions(manipulator, plan.slice)) names.emplace_back(1, "xyz"[i]);
+  for (std::size_t i = 0; i < region.dimension; ++i)
+    if (!std::isfinite(region.lower[i]) || !std::isfinite(region.upper[i]))
+      return "The region is not finite in " + names[i] + "; give one that is.";
+  for (std::size_t i = 0; i < region.dimension; ++i)
+    if (!(region.lower[i] < region.upper[i]))
+      return options.region ? "The region is empty in " + names[i] + "; give its lower end first."
+                            : "The legs of '" + manipulator.name() +
+                                  "' reach no common pose; correct their lengths or limits.";
+  if (options.region) {
+    const std::string text = why_out_of_reach(region, plan.classifier->reachable_positions(), names);
+    if (!text.empty()) return text;
+  }
+  const Farthest at = farthest_in_widths(region);
+  return "The region is " + number_text(at.width, 3) + " m wide in " + names[at.coordinate] + " and " +
+         number_text(at.distance, 4) + " m from the origin of the frame '" + manipulator.base_frame() +
+         "', which is too far for exact boxes; put the origin of that frame within " +
+         number_text(widths_away * at.width, 2) +
+         " m of the robot, or name a link that is so near as base_link.";
+}
+
 /// The positions that the map covers; the message says why there are none, and is empty otherwise.
 std::string find_positions(const Manipulator& manipulator, const MapOptions& options, const MapPlan& plan,
                            Box& positions) {
@@ -79,10 +123,7 @@ std::string find_positions(const Manipulator& manipulator, const MapOptions& opt
     return "The workspace that the constraints of '" + manipulator.name() + "' name holds no " +
            (options.region ? "position of the region" : "reachable position") +
            ", or is too thin for a map; correct constraints.workspace, or leave it out.";
-  if (!exact)
-    return "The region of the map is empty, not finite, or too far from the origin for its size; give "
-           "another "
-           "region, or correct the lengths of the legs if they cannot reach a common pose.";
+  if (!exact) return why_not_exact(manipulator, options, plan, *region);
   positions = plan.slice || free == 0 ? *exact : symmetric_region(manipulator, *region, *exact);
   return "";
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/empty_map.h"
 
-#include "parallel_aspects/model/problems.h"
-
 #include <gtest/gtest.h>
 
 #include "support/robots/robots.h"
 #include "support/slices.h"
+#include <cmath>
+#include <memory>
 #include <string>
 
 namespace parallel_aspects {
@@ -35,6 +35,37 @@ TEST_F(EmptyMap, ARegionOutOfReachIsSaidToBe) {
   EXPECT_EQ(reason(test::five_bar(), region(12.0, 13.0, 12.0, 13.0)),
             "No pose of the region is within reach of all legs and away from singularities; give another "
             "region, or check the lengths of the legs.");
+}
+
+/// A five-bar of 0.22 m, that far from the origin along x.
+std::shared_ptr<const Manipulator> small_five_bar(double away) {
+  return test::manipulator("small", TaskSpace::T2,
+                           {test::planar_revolute_leg(0, {away, 0.0}, 0.08, 0.05),
+                            test::planar_revolute_leg(1, {away + 0.09, 0.0}, 0.05, 0.08)});
+}
+
+TEST_F(EmptyMap, ARobotTooFarFromItsBaseFrameIsToldHowFarItMayBe) {
+  EXPECT_EQ(
+      reason(small_five_bar(1000.0), {}),
+      "refused: The region is 0.17 m wide in x and 1000 m from the origin of the frame 'base_link', which is "
+      "too far for exact boxes; put the origin of that frame within 85 m of the robot, or name a link "
+      "that is so near as base_link.");
+  EXPECT_EQ(reason(small_five_bar(85.0), {}), "") << "the remedy works";
+}
+
+TEST_F(EmptyMap, RegionsThatAreNoneHaveOneReason) {
+  EXPECT_EQ(reason(test::five_bar(), region(5.0, 4.0, 0.0, 1.0)),
+            "refused: The region is empty in x; give its lower end first.");
+  EXPECT_EQ(reason(test::five_bar(), region(5.0, 6.0, 0.0, HUGE_VAL)),
+            "refused: The region is not finite in y; give one that is.");
+  EXPECT_EQ(
+      reason(test::five_bar(), region(1e5, 1e5 + 1.0, 0.0, 1.0)).find("refused: The region lies outside"),
+      0U);
+  const auto apart = test::manipulator("apart", TaskSpace::T2,
+                                       {test::planar_revolute_leg(0, {0.0, 0.0}, 1.0, 1.0),
+                                        test::planar_revolute_leg(1, {9.0, 0.0}, 1.0, 1.0)});
+  EXPECT_EQ(reason(apart, {}),
+            "refused: The legs of 'apart' reach no common pose; correct their lengths or limits.");
 }
 
 TEST_F(EmptyMap, ASliceOutOfReachIsSaidToBe) {
