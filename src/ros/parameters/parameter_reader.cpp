@@ -65,7 +65,8 @@ void ParameterReader::read(const std::string& key, double& value) {
     value = *read_value;
   else
     report(key, raw.getType() == XmlRpcValue::TypeString
-                    ? "a number, without quotes (.inf where it is infinite)"
+                    ? "a number, without quotes and with a dot before an exponent, as 1.0e-3 (.inf where "
+                      "it is infinite)"
                     : "a number");
 }
 

@@ -131,6 +131,15 @@ TEST(OptionsFrom, ReportsEveryWrongTypeAndUnknownKeyAtOnce) {
   EXPECT_EQ(problems.size(), 8U);
 }
 
+// What roslaunch makes of `resolution: 1e-3`, in which nobody sees quotes.
+TEST(OptionsFrom, SaysHowNumbersWithExponentsAreWritten) {
+  XmlRpcValue parameters;
+  parameters["map"]["resolution"] = "1e-3";
+  Problems problems;
+  options_from(parameters, "/node/", problems);
+  EXPECT_TRUE(mention(problems, "without quotes and with a dot before an exponent, as 1.0e-3"));
+}
+
 TEST(ProblemsOf, NamesEveryValueOutOfRangeAtOnce) {
   NodeOptions options;
   options.map.resolution = not_a_number;
