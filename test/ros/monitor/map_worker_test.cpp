@@ -107,6 +107,15 @@ TEST_F(MapWorkerTest, SaysWhyItRefuses) {
   EXPECT_FALSE(end.message.empty());
 }
 
+TEST_F(MapWorkerTest, SaysWhyNoAspectIsThere) {
+  MapOptions options;
+  options.region = Box{2, {50.0, 0.0}, {60.0, 3.0}};
+  const MapProgress end = worker_.wait(worker_.compute(options), deadline);
+  EXPECT_EQ(end.state, MapProgress::COMPLETE);
+  EXPECT_NE(end.message.find("The region lies outside of what the legs can reach"), std::string::npos)
+      << end.message;
+}
+
 // A map this fine takes minutes: it is given up, and said to be.
 TEST(MapWorkerThatEnds, GivesUpWhatItComputes) {
   ros::Time::init();

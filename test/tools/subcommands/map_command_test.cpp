@@ -419,6 +419,14 @@ TEST_F(MapCommand, BadSlicesAreRefused) {
   }
 }
 
+TEST_F(MapCommand, AMapWithoutAspectsSaysWhy) {
+  const std::string text = run({"map", "five_bar", "--region", "x=50:60 y=0:3"}).output;
+  EXPECT_NE(text.find("exactly 0 aspects"), std::string::npos) << text;
+  EXPECT_NE(text.find("note: The region lies outside of what the legs can reach"), std::string::npos) << text;
+  EXPECT_TRUE(run_json({"map", "five_bar", "--region", "x=50:60 y=0:3"})["no_aspect"].is_string());
+  EXPECT_TRUE(run_json({"map", "five_bar"})["no_aspect"].is_null());
+}
+
 TEST_F(MapCommand, InterruptedMapPrintsNothing) {
   const std::atomic<bool> interrupted{true};
   const Outcome outcome = run({"map", "five_bar"}, &interrupted);
