@@ -314,6 +314,7 @@ BAD = {
     "over names 'crank'": lambda robot, aspects: pa.load("three_rpr").cusp_curves("crank"),
     "'five_bar' has no cusps": lambda robot, aspects: robot.cusp_curves("crank"),
     "no shipped robot": lambda robot, aspects: pa.load("six_bar"),
+    "did you mean five_bar?": lambda robot, aspects: pa.load("fiv_bar"),
     "map is of another robot": lambda robot, aspects: pa.load("five_bar").choose([0], [(4.5, 8)], map=aspects),
     "crank length of -1": lambda robot, aspects: robot.with_lengths({"crank_1": -1}),
 }
