@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace parallel_aspects {
 
@@ -26,6 +27,9 @@ struct Caption {
 /// Each line of `words` is broken where it is too long; what does not fit into the lines there are ends in
 /// dots.
 Caption caption_of(const Scene& scene, const std::string& words);
+
+/// Opposite corners of what the longest caption takes, in the task frame [m].
+std::vector<Eigen::Vector3d> caption_corners(const Scene& scene);
 
 }  // namespace parallel_aspects
 

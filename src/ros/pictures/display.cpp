@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/display.h"
 
+#include "ros/labels/candidate_names.h"
 #include "ros/pictures/caption.h"
 #include "ros/pictures/domain_picture.h"
 #include "ros/pictures/gauge_picture.h"
@@ -10,11 +11,17 @@
 
 #include <ros/console.h>
 
+#include <cmath>
+#include <iterator>
+#include <utility>
+
 namespace parallel_aspects {
 namespace {
 
 // Slices move with the robot; this leaves time for other things.
 const ros::WallDuration between_galleries(0.5), between_present(0.2);
+
+constexpr double ball = 1.5;  // below a name, over its height
 
 Drawn drawn(const CurrentConfiguration& current) {
   if (current.status.code != Status::OK) return std::nullopt;
@@ -43,8 +50,8 @@ CuspCurves cusps_to_draw(const Manipulator& robot, const MapControl& control) {
 Display::Display(const NodeSetup& setup, ros::NodeHandle private_nh)
     : manipulator_(setup.mechanism->manipulator()),
       frames_(frames_of(setup)),
-      scene_(scene_of(*setup.mechanism, setup.options)),
-      visuals_(setup.mechanism, setup.urdf, scene_.robot.max().x()),
+      scene_(scene_of(setup)),
+      visuals_(setup.mechanism, setup.urdf, scene_.radius),
       markers_(latched(private_nh, "markers")),
       present_markers_(latched(private_nh, "present_markers")),
       position_markers_(latched(private_nh, "position_markers")),
@@ -166,15 +173,42 @@ void Display::publish_position(const Drawn& now, const std::string& words) {
 // The robot itself where rviz has no visuals of it; while it is not known which one it is, all that it may
 // be.
 void Display::draw_robots(const Drawn& now, std::vector<visualization_msgs::Marker>& markers) const {
-  const auto draw = [&](const Pose& pose, const JointVector& q, const std::string& group,
-                        const std_msgs::ColorRGBA& shade) {
-    for (auto& each : visuals_.skeleton_at(pose, q, group, shade)) markers.push_back(std::move(each));
+  if (!now) return draw_candidates(markers);
+  if (!visuals_.empty()) return;
+  for (auto& each : visuals_.skeleton_at(now->solved.pose, now->solved.q, "robot", ink()))
+    markers.push_back(std::move(each));
+}
+
+// Each in a colour of its own, with the name that the panel has for it.
+void Display::draw_candidates(std::vector<visualization_msgs::Marker>& markers) const {
+  std::vector<Pose> poses;
+  for (const auto& [pose, q] : candidates_) poses.push_back(pose);
+  const std::vector<Eigen::Vector3d> places = candidate_places(*manipulator_, poses, scene_.radius);
+  MarkerBatch names;
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    const auto& [pose, q] = candidates_[i];
+    for (auto& each : visuals_.skeleton_at(pose, q, "candidate_" + std::to_string(i + 1), candidate_color(i)))
+      markers.push_back(std::move(each));
+    draw_name(i, places[i], names);
+  }
+  auto texts = names.take().markers;
+  std::move(texts.begin() + 1, texts.end(), std::back_inserter(markers));  // not what deletes all others
+}
+
+// On a ball of the candidate's colour, before what it stands upon: letters alone are lost among lines.
+void Display::draw_name(std::size_t candidate, const Eigen::Vector3d& at, MarkerBatch& batch) const {
+  const double size = drawn_size(*manipulator_, scene_.radius), height = candidate_name_height * size;
+  const Eigen::Vector3d to_viewer = scene_.planar
+                                        ? Eigen::Vector3d(0.0, 0.0, 1.0)
+                                        : Eigen::Vector3d(0.0, -std::cos(view_pitch), std::sin(view_pitch));
+  const Eigen::Vector3d place = at + (scene_.planar ? 0.1 * size : 0.0) * to_viewer;
+  const auto plane = [&](const Eigen::Vector3d& point) {
+    return MarkerBatch::Plane{frames_.base, manipulator_->task_frame() * Eigen::Translation3d(point)};
   };
-  if (now && visuals_.empty()) draw(now->solved.pose, now->solved.q, "robot", ink());
-  if (now) return;
-  for (std::size_t i = 0; i < candidates_.size(); ++i)
-    draw(candidates_[i].first, candidates_[i].second, "candidate_" + std::to_string(i + 1),
-         candidate_color(i));
+  const auto shade = candidate_color(candidate);
+  batch.dots(plane(place), "candidate_names", {Eigen::Vector2d::Zero()}, 0.0, ball * height, shade);
+  batch.text(plane(place + 0.51 * ball * height * to_viewer), "candidate_names", Eigen::Vector2d::Zero(), 0.0,
+             height, candidate_name(candidate), readable_on(shade));
 }
 
 std::string Display::caption(const CurrentConfiguration& current, const std::string& map_message) const {

@@ -6,6 +6,7 @@
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "ros/monitor/robot_monitor.h"
 #include "ros/parameters/load_options.h"
+#include "ros/pictures/marker_batch.h"
 #include "ros/pictures/picture.h"
 #include "ros/pictures/robot_visuals.h"
 #include "ros/pictures/scene.h"
@@ -56,6 +57,8 @@ class Display {
   void publish_present(const Drawn& now);
   void publish_position(const Drawn& now, const std::string& words);
   void draw_robots(const Drawn& now, std::vector<visualization_msgs::Marker>& markers) const;
+  void draw_candidates(std::vector<visualization_msgs::Marker>& markers) const;
+  void draw_name(std::size_t candidate, const Eigen::Vector3d& at, MarkerBatch& batch) const;
   std::string caption(const CurrentConfiguration& current, const std::string& map_message) const;
 
   const std::shared_ptr<const Manipulator> manipulator_;

@@ -17,7 +17,9 @@ std_msgs::ColorRGBA color(Rgb rgb) {
   return result;
 }
 
-std_msgs::ColorRGBA candidate_color(std::size_t index) { return color(aspect_color(-1, index)); }
+Rgb candidate_rgb(std::size_t index) { return aspect_color(-1, index); }
+
+std_msgs::ColorRGBA candidate_color(std::size_t index) { return color(candidate_rgb(index)); }
 
 std_msgs::ColorRGBA lightened(const std_msgs::ColorRGBA& color, double share) {
   std_msgs::ColorRGBA result = color;

@@ -26,6 +26,7 @@ class AspectColors {
 };
 
 /// Of the skeletons of candidates, which differ from each other; they come again after `hue_count`.
+Rgb candidate_rgb(std::size_t index);
 std_msgs::ColorRGBA candidate_color(std::size_t index);
 
 /// `share` of the way to white, 0 to 1.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/robot_visuals.h"
 
+#include "ros/labels/candidate_names.h"
 #include "ros/messages/conversions.h"
 #include "ros/pictures/marker_batch.h"
 #include "urdf/reading/tree_reader.h"
@@ -80,13 +81,28 @@ void RobotVisuals::read_visuals(const std::string& urdf) {
   if (!model) return;
   for (std::size_t link = 0; link < tree_.links.size(); ++link) {
     const auto found = model->getLink(tree_.links[link]);
-    if (!found || !moves(link)) continue;
-    for (const auto& visual : found->visual_array) {
+    for (std::size_t i = 0; found && i < found->visual_array.size(); ++i) {
+      const auto& visual = found->visual_array[i];
       if (!visual || !visual->geometry) continue;
-      if (auto shape = shape_of(*visual->geometry))
+      auto shape = shape_of(*visual->geometry);
+      if (!shape) continue;
+      if (moves(link))
         visuals_.push_back({link, isometry(visual->origin), std::move(*shape)});
+      else
+        add_still(link, isometry(visual->origin), *shape);
     }
   }
+}
+
+// Of a mesh the size is not known here.
+void RobotVisuals::add_still(std::size_t link, const Eigen::Isometry3d& origin, const Marker& shape) {
+  if (shape.type == Marker::MESH_RESOURCE) return;
+  const Poses frames = link_poses(tree_, base_, Eigen::VectorXd::Zero(tree_.variables()));
+  const Eigen::Isometry3d place = mechanism_->manipulator()->task_frame().inverse() * frames[link] * origin;
+  const Eigen::Vector3d half = 0.5 * Eigen::Vector3d(shape.scale.x, shape.scale.y, shape.scale.z);
+  const Eigen::AlignedBox3d box(Eigen::Vector3d(-half), half);
+  for (int i = 0; i < 8; ++i)
+    still_.extend(place * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
 }
 
 // Whether a joint above it does.
@@ -124,7 +140,7 @@ std::vector<Marker> RobotVisuals::skeleton_at(const Pose& pose, const JointVecto
   const Manipulator& robot = *mechanism_->manipulator();
   MarkerBatch batch;
   batch.segments({base_frame_, robot.task_frame()}, group, skeleton_of(robot, pose, q, radius_),
-                 skeleton_width * robot.size(), color);
+                 skeleton_width * drawn_size(robot, radius_), color);
   std::vector<Marker> markers = batch.take().markers;
   markers.erase(markers.begin());  // what deletes all others
   return markers;

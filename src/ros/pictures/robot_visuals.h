@@ -32,6 +32,10 @@ class RobotVisuals {
   /// Whether no link that moves has visuals.
   bool empty() const noexcept { return visuals_.empty(); }
 
+  /// What is drawn of the links that do not move, but for meshes, in the task frame [m]; empty where nothing
+  /// is.
+  Eigen::AlignedBox3d still() const { return still_; }
+
   /// The links at a configuration, in the base frame and in one colour, as the markers of a namespace. Left
   /// out where its loops do not close, so that it is never drawn open.
   std::vector<visualization_msgs::Marker> at(const Pose& pose, const JointVector& q, const std::string& group,
@@ -50,6 +54,7 @@ class RobotVisuals {
   };
 
   void read_visuals(const std::string& urdf);
+  void add_still(std::size_t link, const Eigen::Isometry3d& origin, const visualization_msgs::Marker& shape);
   bool moves(std::size_t link) const;
 
   std::shared_ptr<const Mechanism> mechanism_;
@@ -59,6 +64,7 @@ class RobotVisuals {
   std::string base_frame_;
   std::vector<std::size_t> sources_;  // of the values of `tree_`, in those of the mechanism
   std::vector<Visual> visuals_;
+  Eigen::AlignedBox3d still_;
 };
 
 }  // namespace parallel_aspects

@@ -2,7 +2,9 @@
 #include "ros/pictures/scene.h"
 
 #include "model/overloaded.h"
+#include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "ros/pictures/robot_visuals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +15,8 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr double links = 0.06;  // how far links stick out from their joints, of the size of the box
+constexpr double largest_base = 2.0;  // that is looked at, over the size of the box
+constexpr double links = 0.06;        // how far links stick out from their joints, of the size of the box
 
 // The circle of a crank.
 void extend_by_circle(const RevoluteActuation& actuation, AlignedBox3d& box) {
@@ -21,6 +24,20 @@ void extend_by_circle(const RevoluteActuation& actuation, AlignedBox3d& box) {
       actuation.radius * (Vector3d::Ones() - actuation.axis.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
   box.extend(Vector3d(actuation.center + half));
   box.extend(Vector3d(actuation.center - half));
+}
+
+// Where the platform may be, too, with the actuated joints where they are at home: all that may be offered to
+// choose from.
+void extend_by_assembly_modes(const Mechanism& mechanism, AlignedBox3d& box) {
+  const Manipulator& robot = *mechanism.manipulator();
+  if (robot.task_space() == TaskSpace::SO3) return;  // they are in one sphere
+  for (const AssemblyMode& mode : direct(robot, mechanism.home().q).solutions)
+    for (const Leg& leg : robot.legs()) box.extend(mode.pose.transform(leg.anchor));
+}
+
+// The base as it is drawn, but no hall or table around the robot.
+void extend_by_base(const AlignedBox3d& still, AlignedBox3d& box) {
+  if (!still.isEmpty() && still.diagonal().norm() < largest_base * box.diagonal().norm()) box.extend(still);
 }
 
 AlignedBox3d robot_box(const Manipulator& robot, const Pose& pose) {
@@ -70,6 +87,12 @@ bool is_reached(const Manipulator& robot, const Vector3d& position, const Eigen:
   return false;
 }
 
+// As the viewer sees it.
+double height_of(const AlignedBox3d& box, bool planar) {
+  const Vector3d size = box.sizes();
+  return planar ? size.y() : size.z() * std::cos(view_pitch) + size.y() * std::sin(view_pitch);
+}
+
 Eigen::Isometry3d gallery_frame(const Scene& scene, double height) {
   const AlignedBox3d& robot = scene.robot;
   const Vector3d center = robot.center();
@@ -105,7 +128,7 @@ AlignedBox3d reach_box(const Manipulator& robot, const Pose& start) {
 
 TileLayout::TileLayout(std::size_t tiles, double height)
     : columns_(std::min<std::size_t>(4, tiles)), rows_((tiles + columns_ - 1) / columns_) {
-  const double share = rows_ == 1 ? 0.55 : 0.95 / static_cast<double>(rows_);
+  const double share = tiles == 1 ? 0.75 : rows_ == 1 ? 0.55 : 0.95 / static_cast<double>(rows_);
   side_ = share * height / 1.55;
   pitch_ = Eigen::Vector2d(1.18 * side_, height / static_cast<double>(rows_));
 }
@@ -126,22 +149,37 @@ Pose start_pose(const Mechanism& mechanism, const StartOptions& start) {
 
 double turn_length(const Manipulator& manipulator) noexcept { return manipulator.size(); }
 
-Scene scene_of(const Mechanism& mechanism, const NodeOptions& options) {
+double seen_height(const Scene& scene) {
+  constexpr double height_over_width = 0.8;  // of the window beside the panel
+  AlignedBox3d seen = scene.robot;
+  if (!scene.reach.isEmpty())
+    seen.extend(scene.reach);
+  else if (scene.radius > 0.0)
+    seen.extend(Vector3d((1.0 + ball_distance) * scene.radius, 0.0, 0.0));
+  return std::max(height_of(seen, scene.planar), height_over_width * seen.sizes().x());
+}
+
+Scene scene_of(const NodeSetup& setup) {
+  return scene_of(*setup.mechanism, setup.options, RobotVisuals(setup.mechanism, setup.urdf, 1.0).still());
+}
+
+Scene scene_of(const Mechanism& mechanism, const NodeOptions& options, const AlignedBox3d& still) {
   const Manipulator& robot = *mechanism.manipulator();
   Scene scene;
   scene.planar = is_planar(robot.task_space());
   scene.robot = robot_box(robot, start_pose(mechanism, options.start));
   if (robot.task_space() == TaskSpace::SO3)
     scene.robot = {Vector3d::Constant(-options.display.radius), Vector3d::Constant(options.display.radius)};
+  if (robot.task_space() == TaskSpace::SO3) scene.radius = options.display.radius;
+  extend_by_assembly_modes(mechanism, scene.robot);
+  extend_by_base(still, scene.robot);
+  scene.reach = reach_box(robot, start_pose(mechanism, options.start));
   if (scene.planar) {
-    scene.robot.extend(reach_box(robot, start_pose(mechanism, options.start)));
+    scene.robot.extend(scene.reach);
     scene.robot.max().y() += words_room * scene.robot.sizes().y();
     scene.robot.min().z() = scene.robot.max().z() = -0.05 * robot.size();  // behind the robot
   }
-  const Vector3d size = scene.robot.sizes();
-  const double seen_height =
-      scene.planar ? size.y() : size.z() * std::cos(view_pitch) + size.y() * std::sin(view_pitch);
-  const double height = std::max(seen_height, 0.6 * size.x());
+  const double height = std::max(height_of(scene.robot, scene.planar), 0.6 * scene.robot.sizes().x());
   const bool drawn =
       degrees_of_freedom(robot.task_space()) == 2 || degrees_of_freedom(robot.task_space()) == 3;
   scene.tiles = TileLayout(drawn ? working_modes(robot).size() : 1, height);

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ROS_PICTURES_SCENE_H
 
 #include "parallel_aspects/urdf/mechanism.h"
+#include "ros/parameters/load_options.h"
 #include "ros/parameters/node_options.h"
 
 #include <Eigen/Geometry>
@@ -36,8 +37,11 @@ class TileLayout {
 /// right of the robot: in its plane for planar robots, upright and leaning back towards the viewer for
 /// others.
 struct Scene {
-  Eigen::AlignedBox3d
-      robot;  ///< what the robot takes, and what a planar one can reach, in the task frame [m]
+  /// What the robot takes with all its assembly modes about the start, and what a planar one can reach, in
+  /// the task frame [m].
+  Eigen::AlignedBox3d robot;
+  Eigen::AlignedBox3d reach;  ///< `reach_box` about the start
+  double radius = 0.0;        ///< of the sphere that a robot of SO3 takes, whose model has no size [m]
   bool planar = true;
   TileLayout tiles;
   Eigen::Isometry3d gallery =
@@ -57,7 +61,19 @@ inline constexpr double view_pitch = 0.3;
 /// For the words of the probe, above a planar robot and what it reaches: of their height together.
 inline constexpr double words_room = 0.15;
 
-Scene scene_of(const Mechanism& mechanism, const NodeOptions& options);
+/// How high about the robot and what it reaches are in a window that they fill, of SO3 the robot and its ball
+/// of rotations [m].
+double seen_height(const Scene& scene);
+
+/// Of the display's legend, which stands above all that the robot reaches: height of its letters over
+/// `seen_height`, from line to line over that, and the lines that there is room for.
+inline constexpr double legend_height = 0.027, legend_pitch = 1.35, legend_lines = 5.0;
+
+/// `still`: what is drawn of the base, as `RobotVisuals::still` says.
+Scene scene_of(const Mechanism& mechanism, const NodeOptions& options, const Eigen::AlignedBox3d& still = {});
+
+/// With the base as the URDF draws it.
+Scene scene_of(const NodeSetup& setup);
 
 /// About the positions that the operational point comes to in some working mode within its limits, in the
 /// task frame [m]: of a grid, for the eye alone, but the same in every process. In SE2 at any angle, in SE3

@@ -39,7 +39,7 @@ Marker with_id(Marker marker, int id) {
 ProbePicture::ProbePicture(std::shared_ptr<const Mechanism> mechanism, const std::string& urdf, Scene scene)
     : mechanism_(std::move(mechanism)),
       robot_(*mechanism_->manipulator()),
-      visuals_(mechanism_, urdf, scene.robot.max().x()),
+      visuals_(mechanism_, urdf, scene.radius),
       scene_(std::move(scene)) {}
 
 visualization_msgs::MarkerArray ProbePicture::of(const ProbeFinding& finding, Markers extra) {

@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/aspects/joint_projection.h"
 #include "parallel_aspects/aspects/uniqueness.h"
+#include "ros/pictures/caption.h"
 #include "ros/pictures/domain_picture.h"
 #include "ros/pictures/gallery_layout.h"
 #include "ros/pictures/scene.h"
@@ -22,7 +23,6 @@ using Eigen::Vector3d;
 
 constexpr double field_of_view = 0.3;  // narrow, so that it looks nearly orthographic [rad]
 constexpr double margin = 1.06;
-constexpr double legend_room = 0.3;  // above the robot, of its size
 
 // What is left of the window for the scene.
 struct Screen {
@@ -56,15 +56,14 @@ AlignedBox2d map_gallery(const NodeSetup& setup) {
   box.extend(Vector2d(layout.aspects_origin() - half_tile));
   box.extend(Vector2d(layout.aspects_origin() + last + half_tile + Vector2d(text, 2.0 * text)));
   box.extend(
-      Vector2d(layout.joint_space_origin() - 0.5 * layout.joint_tile_size() - Vector2d(0.0, 4.5 * text)));
+      Vector2d(layout.joint_space_origin() - 0.5 * layout.joint_tile_size() - Vector2d(0.0, 6.0 * text)));
   box.extend(Vector2d(box.min().x() + 9.0 * text, box.min().y()));  // the lines of the legend are wide
   return box;
 }
 
 AlignedBox2d tile_gallery(const Scene& scene) {
   const double text = scene.tiles.text_height();
-  return {Vector2d(0.0, -scene.tiles.height() - 3.5 * text),
-          Vector2d(scene.tiles.width(), 2.5 * text + 0.2 * scene.tiles.height())};
+  return {Vector2d(0.0, -scene.tiles.height() - 3.5 * text), Vector2d(scene.tiles.width(), 2.0 * text)};
 }
 
 // What the display has at the robot and beside it: aspects as bodies, or a ball of rotations, and a legend
@@ -72,19 +71,17 @@ AlignedBox2d tile_gallery(const Scene& scene) {
 void add_display(const NodeSetup& setup, const Scene& scene, std::vector<Vector3d>& corners) {
   const Manipulator& robot = *setup.mechanism->manipulator();
   Eigen::AlignedBox3d here = scene.robot;
-  if (!scene.planar) here.extend(reach_box(robot, start_pose(*setup.mechanism, setup.options.start)));
+  if (!scene.reach.isEmpty()) here.extend(scene.reach);
   for (int i = 0; i < 8; ++i) corners.push_back(here.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
   Vector3d above = here.center();
   const Eigen::Index up = scene.planar ? 1 : 2;
   above[up] = here.max()[up];
-  double size = robot.size();
   if (robot.task_space() == TaskSpace::SO3) {
-    const Vector3d radius = Vector3d::Constant(ball_radius * size);
+    const Vector3d radius = Vector3d::Constant(scene.radius);
     const Vector3d middle = ball_distance * radius.x() * Vector3d::UnitX();
     corners.insert(corners.end(), {middle - radius, middle + radius});
-    size = 2.0 * radius.x();
   }
-  above[up] += legend_room * size;
+  above[up] += (1.0 + legend_pitch * legend_lines) * legend_height * seen_height(scene);
   corners.push_back(above);
 }
 
@@ -103,12 +100,10 @@ void add_domains(const NodeSetup& setup, const Scene& scene, std::vector<Vector3
 // Corners of all there is to see, in the task frame.
 std::vector<Vector3d> corners_of(const NodeSetup& setup, const Scene& scene, bool with_gallery) {
   std::vector<Vector3d> corners;
-  const double caption = 0.12 * scene.tiles.height();
-  for (int i = 0; i < 8; ++i) {
-    Vector3d corner = scene.robot.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
-    if (with_gallery && scene.planar && corner.y() == scene.robot.min().y()) corner.y() -= caption;
-    corners.push_back(corner);
-  }
+  for (int i = 0; i < 8; ++i)
+    corners.push_back(scene.robot.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+  if (with_gallery)
+    for (const Vector3d& corner : caption_corners(scene)) corners.push_back(corner);
   add_domains(setup, scene, corners);
   if (!with_gallery) add_display(setup, scene, corners);
   if (!with_gallery || !setup.options.display.gallery) return corners;
@@ -140,13 +135,24 @@ YAML::Node from_above(const Vector3d& center, const Vector3d& size, const Screen
   return view;
 }
 
-YAML::Node from_the_front(const Vector3d& center, const Vector3d& size, const Vector3d& to_viewer,
-                          const Screen& screen) {
-  const double height = std::max(size.y(), size.x() * screen.height / screen.width);
+// How far the viewer is from the center so that all corners are seen, each at its own depth.
+double distance_to(const std::vector<Vector3d>& corners, const Vector3d& center, const Screen& screen) {
+  const double up = std::tan(0.5 * field_of_view), across = up * screen.width / screen.height;
+  double distance = 0.0;
+  for (const Vector3d& corner : corners) {
+    const Vector3d from = (corner - center).cwiseAbs();
+    const double needed = margin * std::max(from.x() / across, from.y() / up);
+    distance = std::max(distance, needed + corner.z() - center.z());
+  }
+  return distance;
+}
+
+// `to_viewer`: in the base frame, as `center`.
+YAML::Node from_the_front(const Vector3d& center, double distance, const Vector3d& to_viewer) {
   YAML::Node view;
   view["Class"] = "rviz/Orbit";
   view["Name"] = "Current View";
-  view["Distance"] = margin * 0.5 * height / std::tan(0.5 * field_of_view) + 0.5 * size.z();
+  view["Distance"] = distance;
   view["Field of View"] = field_of_view;
   view["Focal Point"]["X"] = center.x();
   view["Focal Point"]["Y"] = center.y();
@@ -156,6 +162,20 @@ YAML::Node from_the_front(const Vector3d& center, const Vector3d& size, const Ve
   view["Pitch"] = std::asin(std::clamp(to_viewer.z(), -1.0, 1.0));
   view["Yaw"] = std::remainder(std::atan2(to_viewer.y(), to_viewer.x()), 2.0 * EIGEN_PI);
   return view;
+}
+
+// `corners`: of all there is to see, in the task frame.
+YAML::Node view_of(const Manipulator& robot, bool planar, std::vector<Vector3d> corners,
+                   const Screen& screen) {
+  const Eigen::Matrix3d axes = viewer_axes(robot, planar);
+  Eigen::AlignedBox3d seen;
+  for (Vector3d& corner : corners) {
+    corner = axes.transpose() * (robot.task_frame() * corner);  // as the viewer has them
+    seen.extend(corner);
+  }
+  const Vector3d center = axes * seen.center();
+  if (axes.isApprox(Eigen::Matrix3d::Identity(), 1e-6)) return from_above(center, seen.sizes(), screen);
+  return from_the_front(center, distance_to(corners, seen.center(), screen), axes.col(2));
 }
 
 // Of the links in tf: what the name of the base frame begins with.
@@ -170,18 +190,10 @@ std::string with_view_of(const std::string& config, const NodeSetup& setup) {
   YAML::Node document = YAML::Load(config);
   const Manipulator& robot = *setup.mechanism->manipulator();
   const bool with_gallery = shows_gallery(document);
-  NodeOptions options = setup.options;
-  if (!with_gallery) options.display.radius = ball_radius * robot.size();
-  const Scene scene = scene_of(*setup.mechanism, options);
-  const Eigen::Matrix3d axes = viewer_axes(robot, scene.planar);
-  Eigen::AlignedBox3d seen;  // in the viewer's axes
-  for (const Vector3d& corner : corners_of(setup, scene, with_gallery))
-    seen.extend(Vector3d(axes.transpose() * (robot.task_frame() * corner)));
-  const Vector3d center = axes * seen.center();
-  const Screen screen = screen_of(document);
-  const bool upright = axes.isApprox(Eigen::Matrix3d::Identity(), 1e-6);
-  YAML::Node view = upright ? from_above(center, seen.sizes(), screen)
-                            : from_the_front(center, seen.sizes(), axes.col(2), screen);
+  NodeSetup drawn = setup;
+  if (!with_gallery) drawn.options.display.radius = ball_radius * robot.size();
+  const Scene scene = scene_of(drawn);
+  YAML::Node view = view_of(robot, scene.planar, corners_of(setup, scene, with_gallery), screen_of(document));
   view["Target Frame"] = robot.base_frame();
   document["Visualization Manager"]["Views"]["Current"] = view;
   document["Visualization Manager"]["Global Options"]["Fixed Frame"] = robot.base_frame();

@@ -2,11 +2,12 @@
 #include "rviz/display/aspects_display.h"
 
 #include "model/number_text.h"
+#include "ros/labels/candidate_names.h"
 #include "ros/messages/conversions.h"
-#include "rviz/display/ogre_types.h"
 #include "rviz/display/robot_models.h"
 #include "rviz/display/status_words.h"
 
+#include "rviz/shapes/ogre_types.h"
 #include <OgreSceneNode.h>
 #include <algorithm>
 #include <cmath>
@@ -184,11 +185,13 @@ void AspectsDisplay::take_state() {
     if (const auto mode = mode_of(news_.state->working_mode)) mode_ = mode;
     return;
   }
-  for (const SolvedConfiguration& each : news_.candidates.candidates) {
+  const auto& candidates = news_.candidates.candidates;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const SolvedConfiguration& each = candidates[i];
     const auto pose = pose_from_base(robot, each.pose);
     const auto mode = mode_of(each.working_mode);
     if (!pose || !mode) continue;
-    candidates_.emplace_back(*pose, *mode);
+    candidates_.push_back({*pose, *mode, i});
     const int aspect = map_->locate(*pose, *mode);
     if (aspect != 0) candidate_ids_.insert(aspect);
   }
@@ -263,13 +266,18 @@ PictureChoice AspectsDisplay::choice() const {
     if (map_->map->slice() && mode_) choice.aspect = map_->locate(*present_, *mode_);
   }
   if (candidates_.empty() && mode_) choice.modes = {*mode_};
-  for (const auto& [pose, mode] : candidates_)
-    if (std::find(choice.modes.begin(), choice.modes.end(), mode) == choice.modes.end())
-      choice.modes.push_back(mode);
+  for (const PresentPoints::Configuration& each : candidates_)
+    if (std::find(choice.modes.begin(), choice.modes.end(), each.mode) == choice.modes.end())
+      choice.modes.push_back(each.mode);
   choice.candidates = candidate_ids_;
+  std::vector<Pose> poses;
+  for (const PresentPoints::Configuration& each : candidates_) poses.push_back(each.pose);
+  choice.names = candidate_places(*map_->map->manipulator(), poses, map_->scene.radius);
   choice.joint_space = joint_space_->getBool();
   choice.gallery = gallery_->getBool();
-  choice.robot = map_->robot;
+  choice.robot = map_->scene.robot;
+  choice.reach = map_->scene.reach;
+  choice.seen = seen_height(map_->scene);
   choice.section = static_cast<Section>(section_->getOptionInt());
   choice.axis = static_cast<std::size_t>(axis_->getOptionInt());
   choice.offset = offset_->getFloat();
@@ -334,11 +342,12 @@ void AspectsDisplay::place_robot(const Manipulator& robot) {
   if (present_ && mode_) shown = {{*present_, *mode_}};
   points_.show(*picture_, robot, placement_, shown, {scene_manager_, scene_node_});
   // A window can show a model of the robot, but not of all that it may be.
-  points_.show_skeletons(robot, map_->robot.max().x(),
+  points_.show_skeletons(robot, map_->scene.radius,
                          map_->has_visuals && present_ ? PresentPoints::Configurations() : shown,
                          {scene_manager_, scene_node_});
   if (present_ && mode_ && nearest_->getBool())
-    mark_.show(*picture_, map_->map->manipulator(), placement_, shown.front(), {scene_manager_, scene_node_});
+    mark_.show(*picture_, map_->map->manipulator(), placement_, {*present_, *mode_},
+               {scene_manager_, scene_node_});
   else
     mark_.clear();
   if (drawn_) drawn_->set_head(where_ + (mark_.words().empty() ? "" : "\n" + mark_.words()));

@@ -76,9 +76,9 @@ class AspectsDisplay : public rviz::Display {
   NodeLink::News news_;
   std::shared_ptr<const ReceivedMap> map_;
   std::shared_ptr<const SurfacePicture> picture_;
-  std::optional<Pose> present_;                           // while it is known
-  std::optional<WorkingMode> mode_;                       // the last that was known
-  std::vector<std::pair<Pose, WorkingMode>> candidates_;  // while it is not
+  std::optional<Pose> present_;               // while it is known
+  std::optional<WorkingMode> mode_;           // the last that was known
+  PresentPoints::Configurations candidates_;  // while it is not
   std::set<int> candidate_ids_;
   Eigen::Vector3d placement_ = Eigen::Vector3d::Zero();
   SurfaceListeners listeners_;

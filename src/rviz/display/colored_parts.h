@@ -33,9 +33,6 @@ struct ColoredLines {
 /// How high a label is, over the size of the robot.
 inline constexpr double id_height = 0.045;
 
-/// Of the legend, likewise, and from line to line over that.
-inline constexpr double legend_height = 0.028, legend_pitch = 1.35;
-
 /// Words, as the viewer sees them.
 struct Label {
   std::string text;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/drawn_picture.h"
 
-#include "rviz/display/ogre_types.h"
+#include "ros/pictures/scene.h"
 
+#include "rviz/shapes/ogre_types.h"
 #include <OgreMaterial.h>
-#include <OgreRenderQueue.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
 #include <algorithm>
 #include <rviz/display_context.h>
+#include <sstream>
 
 namespace parallel_aspects {
 namespace {
@@ -18,27 +19,11 @@ constexpr double line_width = 0.004, outline_width = 0.008;
 
 constexpr double selected_height = 1.6;  // over that of ids that are not
 
-// Over the height of words: of the halo that parts them from aspects of any colour, and from the background.
-constexpr float halo_width = 0.07F;
-constexpr std::uint32_t halo_color = 0xFAFAF8;
-// After robot, handle and the way to the singularity, which else hide the words.
-constexpr Ogre::uint8 halo_queue = Ogre::RENDER_QUEUE_9, words_queue = Ogre::RENDER_QUEUE_9 + 1;
-
 constexpr float own_light = 0.45F;  // of a body: share of its colour that no shadow takes
 
 void set_color(rviz::Object& object, std::uint32_t color, float opacity) {
   const Ogre::ColourValue value = ogre_color(color);
   object.setColor(value.r, value.g, value.b, opacity);
-}
-
-// The words in their place, and each copy below them to a side of its own.
-void set_height(const std::vector<std::unique_ptr<rviz::MovableText>>& copies, float height) {
-  for (std::size_t i = 0; i < copies.size(); ++i) {
-    copies[i]->setCharacterHeight(height);
-    if (i + 1 == copies.size()) continue;
-    const float across = i % 2 == 0 ? -1.0F : 1.0F, up = i / 2 == 0 ? -1.0F : 1.0F;
-    copies[i]->setLocalTranslation(halo_width * height * Ogre::Vector3(across, up, 0.0F));
-  }
 }
 
 // What is flat has its colour from wherever it is seen, so that it is that of the legend and of the table;
@@ -65,22 +50,19 @@ DrawnPicture::DrawnPicture(const SurfacePicture& picture, const Look& look, rviz
       moving_(standing_->createChildSceneNode()) {
   add(picture.moving, moving_, picture.size, picture.is_cut);
   add(picture.standing, standing_, picture.size, false);
-  for (const Label& meaning : picture.meanings)
-    add_text(meaning, standing_, legend_height * picture.size, true);
-  if (!picture.legend.text.empty()) add_text(picture.legend, standing_, legend_height * picture.size, true);
+  for (const Label& meaning : picture.meanings) add_text(meaning, standing_, picture.legend_size, true);
+  legend_ = picture.legend;
+  legend_size_ = picture.legend_size;
   set_look(look);
+  set_head(legend_.text);
 }
 
 DrawnPicture::~DrawnPicture() {
   handles_.clear();
   meshes_.clear();
   lines_.clear();
-  for (Text& text : texts_) {
-    for (const auto& copy : text.copies) copy->detachFromParent();
-    text.node->removeAndDestroyAllChildren();
-    scene_->destroySceneNode(text.node);
-  }
   texts_.clear();
+  head_.clear();
   scene_->destroySceneNode(moving_);
   scene_->destroySceneNode(standing_);
 }
@@ -113,27 +95,11 @@ void DrawnPicture::add(const ColoredLines& lines, Ogre::SceneNode* node, double 
 }
 
 void DrawnPicture::add_text(const Label& label, Ogre::SceneNode* parent, double height, bool is_legend) {
-  Text text{{}, parent->createChildSceneNode(ogre_vector(label.at)), label.aspect, height, is_legend};
-  for (int side = 0; side < 4 && !is_legend; ++side) add_copy(label, halo_color, halo_queue, text);
-  add_copy(label, label.color, words_queue, text);
-  set_height(text.copies, static_cast<float>(height));
-  if (label.raised > 0.0)  // legends have no halo, whose copies have places of their own
-    text.copies.back()->setLocalTranslation(
-        Ogre::Vector3(0.0F, static_cast<float>(label.raised * height), 0.0F));
-  if (label.aspect != 0) handles_.emplace_back(listeners_.of(label.aspect, false), text.node, context_);
-  texts_.push_back(std::move(text));
-}
-
-// In a node of its own, as words have no name, and Ogre takes each name once in a node.
-void DrawnPicture::add_copy(const Label& label, std::uint32_t color, Ogre::uint8 queue, Text& text) {
-  auto copy = std::make_unique<rviz::MovableText>(label.text, "Liberation Sans",
-                                                  static_cast<float>(text.height), ogre_color(color));
-  copy->setTextAlignment(rviz::MovableText::H_CENTER,
-                         text.is_legend ? rviz::MovableText::V_ABOVE : rviz::MovableText::V_CENTER);
-  copy->showOnTop(true);
-  copy->setRenderQueueGroup(queue);
-  text.node->createChildSceneNode()->attachObject(copy.get());
-  text.copies.push_back(std::move(copy));
+  auto words = std::make_unique<HaloedText>(label.text, label.color, ogre_vector(label.at),
+                                            static_cast<float>(height), !is_legend, parent);
+  if (label.raised > 0.0) words->raise(static_cast<float>(label.raised * height));
+  if (label.aspect != 0) handles_.emplace_back(listeners_.of(label.aspect, false), words->node(), context_);
+  texts_.push_back({std::move(words), label.aspect, height, is_legend});
 }
 
 void DrawnPicture::set_look(const Look& look) {
@@ -144,18 +110,33 @@ void DrawnPicture::set_look(const Look& look) {
     set_color(*mesh.shape, mesh.color, static_cast<float>(opacity));
     light(*mesh.shape, mesh.color, static_cast<float>(opacity), mesh.is_flat);
   }
+  shows_legend_ = look.legend;
+  for (const auto& line : head_) line->node()->setVisible(look.legend);
   for (const Text& text : texts_) {
-    text.node->setVisible(text.is_legend ? look.legend : look.ids);
+    text.words->node()->setVisible(text.is_legend ? look.legend : look.ids);
     const bool is_selected = text.aspect != 0 && text.aspect == look.selected;
-    set_height(text.copies, static_cast<float>((is_selected ? selected_height : 1.0) * text.height));
+    text.words->set_height(static_cast<float>((is_selected ? selected_height : 1.0) * text.height));
   }
 }
 
+// A text for each line, as the lines of one are not centred.
 void DrawnPicture::set_head(const std::string& head) {
-  if (head == head_) return;
-  head_ = head;
-  if (!texts_.empty() && texts_.back().is_legend)
-    texts_.back().copies.back()->setCaption(head);  // added last
+  if (head == head_words_ || legend_.text.empty()) return;
+  head_words_ = head;
+  std::istringstream stream(head);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  if (lines.size() != head_.size()) {
+    head_.clear();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      head_.push_back(std::make_unique<HaloedText>(lines[i], legend_.color, ogre_vector(legend_.at),
+                                                   static_cast<float>(legend_size_), false, standing_));
+      const double above = legend_pitch * static_cast<double>(lines.size() - 1 - i);
+      head_.back()->raise(static_cast<float>((legend_.raised + above) * legend_size_));
+      head_.back()->node()->setVisible(shows_legend_);
+    }
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i) head_[i]->set_words(lines[i]);
 }
 
 void DrawnPicture::set_placement(const Ogre::Vector3& placement) { moving_->setPosition(placement); }

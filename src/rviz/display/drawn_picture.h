@@ -5,10 +5,10 @@
 #include "rviz/display/surface_handle.h"
 #include "rviz/display/surface_picture.h"
 
+#include "rviz/shapes/haloed_text.h"
 #include <memory>
 #include <rviz/ogre_helpers/billboard_line.h>
 #include <rviz/ogre_helpers/mesh_shape.h>
-#include <rviz/ogre_helpers/movable_text.h>
 #include <string>
 #include <vector>
 
@@ -39,7 +39,7 @@ class DrawnPicture {
 
   void set_look(const Look& look);
 
-  /// What the legend says above the colours, in place of what it said, which may be out of date.
+  /// What the legend says above the colours, in lines, in place of what it said, which may be out of date.
   void set_head(const std::string& head);
 
   /// Where the moving part stands.
@@ -53,8 +53,7 @@ class DrawnPicture {
     bool is_flat, is_opaque;
   };
   struct Text {
-    std::vector<std::unique_ptr<rviz::MovableText>> copies;  // the words last, on those that are their halo
-    Ogre::SceneNode* node;
+    std::unique_ptr<HaloedText> words;
     int aspect;
     double height;  // while it is not selected [m]
     bool is_legend;
@@ -64,7 +63,6 @@ class DrawnPicture {
   void add(const ColoredMesh& mesh, Ogre::SceneNode* node, bool is_cut);
   void add(const ColoredLines& lines, Ogre::SceneNode* node, double size);
   void add_text(const Label& label, Ogre::SceneNode* node, double height, bool is_legend);
-  static void add_copy(const Label& label, std::uint32_t color, Ogre::uint8 queue, Text& text);
 
   rviz::DisplayContext* context_;
   Ogre::SceneManager* scene_;
@@ -74,7 +72,11 @@ class DrawnPicture {
   std::vector<std::unique_ptr<rviz::BillboardLine>> lines_;
   std::vector<Text> texts_;
   std::vector<SurfaceHandle> handles_;
-  std::string head_;
+  Label legend_;
+  double legend_size_ = 1.0;
+  bool shows_legend_ = true;
+  std::string head_words_;
+  std::vector<std::unique_ptr<HaloedText>> head_;  // the legend's first lines
 };
 
 }  // namespace parallel_aspects

@@ -19,10 +19,10 @@ namespace {
 
 constexpr double volume_resolution = 0.04;  // of the robot's size: of maps that follow it
 
-Eigen::AlignedBox3d robot_box(const Mechanism& mechanism) {
+Scene drawn_scene(const SharedMechanism& mechanism, const std::string& urdf) {
   NodeOptions options;
-  options.display.radius = ball_radius * mechanism.manipulator()->size();
-  return scene_of(mechanism, options).robot;
+  options.display.radius = ball_radius * mechanism->manipulator()->size();
+  return scene_of(NodeSetup{mechanism, options, urdf});
 }
 
 double seconds_since(const ros::SteadyTime& start) { return (ros::SteadyTime::now() - start).toSec(); }
@@ -142,6 +142,7 @@ void PictureThread::take_robot(const GetMap::Response& response) {
   if (mechanism_ && texts == texts_) return;
   mechanism_ = mechanism_of(response);
   has_visuals_ = !RobotVisuals(*mechanism_, response.urdf, 1.0).empty();
+  scene_ = drawn_scene(*mechanism_, response.urdf);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (texts_ != 0) ++result_.robots;
   texts_ = texts;
@@ -156,9 +157,7 @@ void PictureThread::take(const GetMap::Response& response, double seconds) {
   const MapResult read = map_of(response, **mechanism_);
   if (!read.map) return fail(read.message);
   auto received = std::make_shared<ReceivedMap>();
-  *received = {
-      read.map,    response.base_frame, response.revision, response.map.size(), robot_box(**mechanism_),
-      has_visuals_};
+  *received = {read.map, response.base_frame, response.revision, response.map.size(), scene_, has_visuals_};
   const std::lock_guard<std::mutex> lock(mutex_);
   result_.map = std::move(received);
   result_.problem.clear();
@@ -182,7 +181,7 @@ void PictureThread::carry_out_volume(const Volume& volume) {
   if (computed.status == MapStatus::cancelled) return;
   if (!computed.map) return fail(computed.message);
   auto received = std::make_shared<ReceivedMap>();
-  *received = {computed.map, robot->base_frame(), "", 0, robot_box(**mechanism_), has_visuals_};
+  *received = {computed.map, robot->base_frame(), "", 0, scene_, has_visuals_};
   const std::lock_guard<std::mutex> lock(mutex_);
   result_.map = std::move(received);
   result_.problem.clear();

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_PICTURE_THREAD_H
 
 #include "parallel_aspects/urdf/mechanism.h"
+#include "ros/pictures/scene.h"
 #include "rviz/display/surface_picture.h"
 
 #include <parallel_aspects/GetMap.h>
@@ -25,9 +26,9 @@ namespace parallel_aspects {
 struct ReceivedMap {
   std::shared_ptr<const AspectMap> map;
   std::string base_frame, revision;
-  std::size_t bytes = 0;        ///< of the map; 0 for one that was computed here
-  Eigen::AlignedBox3d robot{};  ///< what the robot takes, in the task frame [m]
-  bool has_visuals = true;      ///< whether rviz can show the robot by its URDF
+  std::size_t bytes = 0;    ///< of the map; 0 for one that was computed here
+  Scene scene{};            ///< what the robot takes and reaches
+  bool has_visuals = true;  ///< whether rviz can show the robot by its URDF
 
   /// Id of the aspect that holds a pose; 0 where none does, or the map cannot tell. In a map that was
   /// computed here, of its position at the orientation of the map.
@@ -98,6 +99,7 @@ class PictureThread {
   std::size_t texts_ = 0;                     // that the robot was loaded from, hashed
   std::optional<SharedMechanism> mechanism_;  // of the robot that was received last
   bool has_visuals_ = true;                   // likewise
+  Scene scene_;                               // likewise
   std::unique_ptr<SurfaceStore> store_;
   std::thread thread_;
 };

@@ -2,9 +2,12 @@
 #include "rviz/display/present_points.h"
 
 #include "parallel_aspects/kinematics/inverse.h"
+#include "ros/labels/candidate_names.h"
+#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/robot_visuals.h"
-#include "rviz/display/ogre_types.h"
 #include "rviz/display/workspace_painter.h"
+
+#include "rviz/shapes/ogre_types.h"
 
 namespace parallel_aspects {
 namespace {
@@ -16,18 +19,27 @@ constexpr double point_size = 0.035, tile_point_size = 0.018;  // of the picture
 struct Dot {
   Vector3d at;
   bool in_tile;
+  Ogre::ColourValue color;
 };
 
+Ogre::ColourValue color_of(const PresentPoints::Configuration& configuration) {
+  if (!configuration.candidate) return Ogre::ColourValue(0.05F, 0.05F, 0.05F, 1.0F);
+  const std_msgs::ColorRGBA color = candidate_color(*configuration.candidate);
+  return Ogre::ColourValue(color.r, color.g, color.b, 1.0F);
+}
+
 void add_dots(const SurfacePicture& picture, const Manipulator& robot, const Vector3d& placement,
-              const Pose& pose, const WorkingMode& mode, std::vector<Dot>& dots) {
+              const PresentPoints::Configuration& configuration, std::vector<Dot>& dots) {
+  const auto& [pose, mode, candidate] = configuration;
+  const Ogre::ColourValue color = color_of(configuration);
   const Vector3d point = drawn_point(robot.task_space(), pose, picture.radian);
-  dots.push_back({placement + point, false});
+  dots.push_back({placement + point, false, color});
   for (const PoseTile& tile : picture.workspaces)
-    if (tile.mode == mode) dots.push_back({tile.offset + tile.scale * point, true});
+    if (tile.mode == mode) dots.push_back({tile.offset + tile.scale * point, true, color});
   const InverseSolution solution = inverse(robot, pose, mode);
   if (solution.q.size() == 0) return;
   for (const JointTile& tile : picture.joint_spaces)
-    if (tile.mode == mode) dots.push_back({tile.drawn(solution.q), true});
+    if (tile.mode == mode) dots.push_back({tile.drawn(solution.q), true, color});
 }
 
 }  // namespace
@@ -35,15 +47,14 @@ void add_dots(const SurfacePicture& picture, const Manipulator& robot, const Vec
 void PresentPoints::show(const SurfacePicture& picture, const Manipulator& robot, const Vector3d& placement,
                          const Configurations& configurations, const Place& place) {
   std::vector<Dot> dots;
-  for (const auto& [pose, mode] : configurations) add_dots(picture, robot, placement, pose, mode, dots);
+  for (const Configuration& each : configurations) add_dots(picture, robot, placement, each, dots);
   while (points_.size() > dots.size()) points_.pop_back();
-  while (points_.size() < dots.size()) {
+  while (points_.size() < dots.size())
     points_.push_back(std::make_unique<rviz::Shape>(rviz::Shape::Sphere, place.scene, place.node));
-    points_.back()->setColor(0.05F, 0.05F, 0.05F, 1.0F);
-  }
   for (std::size_t i = 0; i < dots.size(); ++i) {
     const auto size = static_cast<float>((dots[i].in_tile ? tile_point_size : point_size) * picture.size);
     points_[i]->setScale({size, size, size});
+    points_[i]->setColor(dots[i].color);
     const Eigen::Vector3f at = dots[i].at.cast<float>();
     points_[i]->setPosition({at.x(), at.y(), at.z()});
   }
@@ -51,17 +62,43 @@ void PresentPoints::show(const SurfacePicture& picture, const Manipulator& robot
 
 void PresentPoints::show_skeletons(const Manipulator& robot, double radius,
                                    const Configurations& configurations, const Place& place) {
-  std::vector<Vector3d> ends;
-  for (const auto& [pose, mode] : configurations) {
-    const InverseSolution solution = inverse(robot, pose, mode);
+  std::size_t drawn = 0;
+  for (const Configuration& each : configurations) {
+    const InverseSolution solution = inverse(robot, each.pose, each.mode);
     if (solution.q.size() == 0) continue;
-    const std::vector<Vector3d> more = skeleton_of(robot, pose, solution.q, radius);
-    ends.insert(ends.end(), more.begin(), more.end());
+    if (skeletons_.size() == drawn)
+      skeletons_.push_back(std::make_unique<rviz::BillboardLine>(place.scene, place.node));
+    const Ogre::ColourValue color = color_of(each);
+    skeletons_[drawn]->setColor(color.r, color.g, color.b, 1.0F);
+    set_segments(skeleton_of(robot, each.pose, solution.q, radius),
+                 skeleton_width * drawn_size(robot, radius), *skeletons_[drawn]);
+    show_through(*skeletons_[drawn]);  // it is inside of aspects
+    ++drawn;
   }
-  if (ends.empty()) return skeletons_.reset();
-  if (!skeletons_) skeletons_ = std::make_unique<rviz::BillboardLine>(place.scene, place.node);
-  skeletons_->setColor(0.05F, 0.05F, 0.05F, 1.0F);
-  set_segments(ends, skeleton_width * robot.size(), *skeletons_);
+  skeletons_.resize(drawn);
+  show_names(robot, radius, configurations, place);
+}
+
+// Made anew where they differ, as words are costly and candidates stand still.
+void PresentPoints::show_names(const Manipulator& robot, double radius, const Configurations& configurations,
+                               const Place& place) {
+  std::vector<Pose> poses;
+  std::vector<std::size_t> candidates;
+  for (const Configuration& each : configurations) {
+    if (!each.candidate) continue;
+    poses.push_back(each.pose);
+    candidates.push_back(*each.candidate);
+  }
+  const std::vector<Vector3d> places = candidate_places(robot, poses, radius);
+  std::vector<std::pair<std::size_t, Vector3d>> named;
+  for (std::size_t i = 0; i < places.size(); ++i) named.emplace_back(candidates[i], places[i]);
+  if (named == named_) return;
+  named_ = std::move(named);
+  names_.clear();
+  const auto height = static_cast<float>(candidate_name_height * drawn_size(robot, radius));
+  for (const auto& [candidate, at] : named_)
+    names_.push_back(std::make_unique<HaloedText>(candidate_name(candidate), candidate_rgb(candidate),
+                                                  ogre_vector(at), height, true, place.node));
 }
 
 }  // namespace parallel_aspects

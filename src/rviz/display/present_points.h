@@ -4,7 +4,10 @@
 
 #include "rviz/display/surface_picture.h"
 
+#include "rviz/shapes/haloed_text.h"
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <rviz/ogre_helpers/billboard_line.h>
 #include <rviz/ogre_helpers/shape.h>
 #include <utility>
@@ -21,24 +24,37 @@ class PresentPoints {
     Ogre::SceneNode* node;
   };
 
-  using Configurations = std::vector<std::pair<Pose, WorkingMode>>;
+  /// Where the robot is, or may be then as the candidate at this place of `~candidates`.
+  struct Configuration {
+    Pose pose;
+    WorkingMode mode;
+    std::optional<std::size_t> candidate = std::nullopt;
+  };
+  using Configurations = std::vector<Configuration>;
 
   /// `placement`: of what moves with the robot.
   void show(const SurfacePicture& picture, const Manipulator& robot, const Eigen::Vector3d& placement,
             const Configurations& configurations, const Place& place);
 
-  /// `radius`: as in `skeleton_of`.
+  /// Candidates have colours of their own and names. `radius`: as in `skeleton_of`.
   void show_skeletons(const Manipulator& robot, double radius, const Configurations& configurations,
                       const Place& place);
 
   void clear() {
     points_.clear();
-    skeletons_.reset();
+    skeletons_.clear();
+    names_.clear();
+    named_.clear();
   }
 
  private:
   std::vector<std::unique_ptr<rviz::Shape>> points_;
-  std::unique_ptr<rviz::BillboardLine> skeletons_;
+  std::vector<std::unique_ptr<rviz::BillboardLine>> skeletons_;
+  std::vector<std::unique_ptr<HaloedText>> names_;
+  std::vector<std::pair<std::size_t, Eigen::Vector3d>> named_;  // the candidates whose names are there
+
+  void show_names(const Manipulator& robot, double radius, const Configurations& configurations,
+                  const Place& place);
 };
 
 }  // namespace parallel_aspects

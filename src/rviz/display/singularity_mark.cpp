@@ -3,18 +3,14 @@
 
 #include "aspects/pictures/palette.h"
 #include "parallel_aspects/model/anchor_distance.h"
-#include "rviz/display/ogre_types.h"
 
+#include "rviz/shapes/ogre_types.h"
 #include <OgreEntity.h>
-#include <OgreMaterial.h>
-#include <OgreRenderQueue.h>
-#include <OgreSceneNode.h>
 
 namespace parallel_aspects {
 namespace {
 
 constexpr double way_width = 0.008, end_size = 0.03;  // of the picture's size
-constexpr Ogre::uint8 after_the_rest = Ogre::RENDER_QUEUE_8;
 constexpr std::chrono::milliseconds between_measurements(100);
 constexpr double step = 1e-3;  // of the robot's size, that it moves until it is looked at anew
 
@@ -63,10 +59,7 @@ void SingularityMark::draw(double size, const PresentPoints::Place& place) {
   line_ = std::make_unique<rviz::BillboardLine>(place.scene, place.node);
   line_->setColor(color.r, color.g, color.b, 1.0F);
   set_segments(nearest_->way, way_width * size, *line_);
-  line_->getMaterial()->setDepthCheckEnabled(false);
-  Ogre::SceneNode& chains = *line_->getSceneNode();
-  for (unsigned short i = 0; i < chains.numAttachedObjects(); ++i)
-    chains.getAttachedObject(i)->setRenderQueueGroup(after_the_rest);
+  show_through(*line_);
   for (std::size_t i = 0; i < nearest_->ends.size(); ++i) add_dot(end_size * size, color, place);
 }
 

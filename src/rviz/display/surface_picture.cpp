@@ -96,7 +96,7 @@ class Composer {
     const TaskSpace space = robot_.task_space();
     picture_.radian = radian_of(robot_, choice);
     picture_.size = space == TaskSpace::SO3 ? 2.0 * pi * picture_.radian : robot_.size();
-    style_ = {picture_.radian, choice.aspect, choice.candidates, section(), std::nullopt};
+    style_ = {picture_.radian, choice.aspect, choice.candidates, section(), std::nullopt, choice.names};
     if (present) style_.robot = drawn_point(space, *present, picture_.radian);
     picture_.is_cut = style_.section.has_value();
     box_ = choice.robot;
@@ -203,8 +203,10 @@ class Composer {
 
   // Above the picture and the robot, as they are usually seen.
   void add_legend(const AlignedBox3d& here) {
-    Eigen::Vector3f at = here.center().cast<float>();
-    at[up()] = static_cast<float>(here.max()[up()] + 0.06 * picture_.size);
+    const AlignedBox3d below = choice_.reach.isEmpty() ? here : here.merged(choice_.reach);
+    picture_.legend_size = legend_height * (choice_.seen > 0.0 ? choice_.seen : here.sizes().maxCoeff());
+    Eigen::Vector3f at = below.center().cast<float>();
+    at[up()] = static_cast<float>(below.max()[up()] + picture_.legend_size);
     double raised = 0.0;
     const auto line = [&](const std::string& words, Rgb color) {
       const Label result{words, color, at, 1.0, 0, raised};
@@ -232,7 +234,7 @@ class Composer {
 auto parts(const PictureChoice& choice) {
   return std::tie(choice.shown, choice.chosen, choice.aspect, choice.candidates, choice.modes, choice.section,
                   choice.axis, choice.offset, choice.upper, choice.tells_boundaries, choice.radian,
-                  choice.joint_space, choice.gallery);
+                  choice.joint_space, choice.gallery, choice.names);
 }
 
 }  // namespace

@@ -35,10 +35,11 @@ enum class Section {
 /// What is drawn of a map.
 struct PictureChoice {
   Shown shown = Shown::present_mode;
-  std::set<int> chosen;            ///< ids
-  std::vector<WorkingMode> modes;  ///< the present one; while it is not known those of the candidates
-  int aspect = 0;                  ///< id of the present one; 0 where it is not known
-  std::set<int> candidates;        ///< ids of those that it may be in, while it is not known
+  std::set<int> chosen;                ///< ids
+  std::vector<WorkingMode> modes;      ///< the present one; while it is not known those of the candidates
+  int aspect = 0;                      ///< id of the present one; 0 where it is not known
+  std::set<int> candidates;            ///< ids of those that it may be in, while it is not known
+  std::vector<Eigen::Vector3d> names;  ///< where those of candidates are written, in the task frame [m]
   Section section = Section::none;
   std::size_t axis = 2;          ///< coordinate that the section is across
   double offset = 0.0;           ///< of the section [m or rad]
@@ -48,6 +49,8 @@ struct PictureChoice {
   bool joint_space = false;      ///< draws the joint space beside the workspace
   bool gallery = false;          ///< draws every working mode beside the robot
   Eigen::AlignedBox3d robot{};   ///< what the robot takes, in the task frame [m]; the rest stands beside it
+  Eigen::AlignedBox3d reach{};   ///< what it reaches, likewise, below the legend; may be empty
+  double seen = 0.0;             ///< `seen_height` of its scene [m]; 0 for that of what is drawn
 };
 
 /// A working mode in the gallery: what `drawn_point` says is drawn at `offset + scale * point`, in the task
@@ -72,6 +75,7 @@ struct SurfacePicture {
   bool is_cut = false;          ///< by a section, so that its inside shows
   double radian = 1.0;          ///< how long an angle of one rad is drawn [m]
   double size = 1.0;            ///< of the robot, or of the ball of rotations [m]
+  double legend_size = 1.0;     ///< how high its letters are [m]
   std::size_t triangles = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/aspects/boundary_curves.h"
 #include "parallel_aspects/aspects/pose_slice.h"
+#include "ros/labels/label_room.h"
 
 #include <Eigen/Geometry>
 
@@ -17,11 +18,9 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr double in_front = 0.002;  // of the robot's size: lines before the faces that they bound
+constexpr double in_front = 0.002;       // of the robot's size: lines before the faces that they bound
+constexpr std::size_t name_letters = 2;  // of a candidate, which are larger than others
 constexpr Rgb edge_color = 0xDDDDDD;
-// From line to line of labels, over their height: those of bodies are seen from above, too, which brings them
-// nearer.
-constexpr double flat_pitch = 1.1, body_pitch = 1.6;
 constexpr std::size_t most_places = 500;  // that are looked at for a label
 
 Vector3d scale_of(TaskSpace space, double radian) {
@@ -232,24 +231,12 @@ void WorkspacePainter::add_label(int id) {
 
 // Aspects of several working modes, as of candidates, may be deepest at one place: one below the other there.
 void WorkspacePainter::spread_labels() {
-  const Eigen::Index up = is_planar(space_) ? 1 : 2;
-  const double pitch = up == 1 ? flat_pitch : body_pitch;
-  const auto line = static_cast<float>(pitch * id_height * store_.robot().size());
-  const auto overlap = [line, up, pitch](const Label& one, const Label& other) {
-    const float letters = 0.25F * static_cast<float>(one.text.size() + other.text.size());
-    const auto width = static_cast<float>(std::max(1.0F, letters) * line / pitch);
-    const Vector3f room(width, up == 1 ? line : width, line);  // bodies are seen from any side
-    return ((one.at - other.at).cwiseAbs().array() < room.array()).all();
-  };
-  for (auto label = part_.labels.begin(); label != part_.labels.end(); ++label)
-    for (auto other = part_.labels.begin(); other != label;) {
-      if (overlap(*label, *other)) {
-        label->at[up] = other->at[up] - 1.01F * line;
-        other = part_.labels.begin();  // it may lie on one of those before now
-      } else {
-        ++other;
-      }
-    }
+  std::vector<PlacedLabel> placed;
+  for (const Vector3d& name : style_.names) placed.push_back({name, name_letters});
+  for (const Label& label : part_.labels) placed.push_back({label.at.cast<double>(), label.text.size()});
+  keep_apart(placed, id_height * store_.robot().size(), is_planar(space_));
+  for (std::size_t i = 0; i < part_.labels.size(); ++i)
+    part_.labels[i].at = placed[style_.names.size() + i].at.cast<float>();
 }
 
 }  // namespace parallel_aspects

@@ -22,6 +22,7 @@ struct WorkspaceStyle {
   std::set<int> candidates;  ///< ids that the robot may be in
   std::optional<HalfSpace> section;  ///< what is left of surfaces, in their coordinates; nothing for all
   std::optional<Eigen::Vector3d> robot{};  ///< where it is among the points of the picture, if that is known
+  std::vector<Eigen::Vector3d> names{};    ///< of candidates, which no label lies upon
 };
 
 /// A flat face of an aspect, as a label sees it.

@@ -3,7 +3,9 @@
 
 #include "model/number_text.h"
 #include "parallel_aspects/kinematics/working_mode.h"
+#include "ros/labels/candidate_names.h"
 #include "ros/messages/conversions.h"
+#include "ros/pictures/marker_colors.h"
 
 #include <parallel_aspects/DistanceBounds.h>
 #include <parallel_aspects/Status.h>
@@ -242,8 +244,10 @@ std::string branch_of(const std::vector<std::int8_t>& working_mode, int determin
 }
 
 std::string pose_of(const geometry_msgs::Pose& pose) {
-  std::string text = "x " + number_text(pose.position.x, 4) + ", y " + number_text(pose.position.y, 4);
-  if (std::abs(pose.position.z) > 1e-9) text += ", z " + number_text(pose.position.z, 4);
+  constexpr double seen = 1e-9;  // what is less is rounding
+  const auto length = [](double value) { return number_text(std::abs(value) < seen ? 0.0 : value, 4); };
+  std::string text = "x " + length(pose.position.x) + ", y " + length(pose.position.y);
+  if (std::abs(pose.position.z) > seen) text += ", z " + length(pose.position.z);
   return text + turn_of(pose.orientation);
 }
 
@@ -313,7 +317,10 @@ std::vector<CandidateLine> candidates_of(const NodeView& view) {
   const auto code = view.state->status.code;
   if (code == Status::OK || code == Status::NO_JOINT_STATES) return lines;
   for (const SolvedConfiguration& each : view.candidates.candidates) {
-    CandidateLine line{branch_of(each.working_mode, each.determinant_sign), pose_of(each.pose)};
+    CandidateLine line{candidate_name(lines.size()), candidate_rgb(lines.size()),
+                       branch_of(each.working_mode, each.determinant_sign), pose_of(each.pose)};
+    if (const auto turn = line.text.find(", roll"); turn != std::string::npos)
+      line.text.replace(turn, 2, "\n");  // a button has the width of three coordinates
     if (each.aspect > 0) line.branch = "Aspect " + std::to_string(each.aspect) + ", " + line.branch;
     lines.push_back(line);
   }

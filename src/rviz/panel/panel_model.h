@@ -100,8 +100,10 @@ std::vector<EventLine> events_of(const NodeView& view);
 
 /// One of the assembly modes to choose from.
 struct CandidateLine {
-  std::string branch;  ///< working mode and sign of det A
-  std::string text;    ///< the pose, and the aspect where it is known
+  std::string name;         ///< as in the pictures, where it has `color`
+  std::uint32_t color = 0;  ///< 0xRRGGBB
+  std::string branch;       ///< working mode and sign of det A
+  std::string text;         ///< the pose, and the aspect where it is known
 };
 
 /// Empty while the robot is followed.

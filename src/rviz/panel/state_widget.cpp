@@ -6,6 +6,7 @@
 #include "rviz/panel/tone_colors.h"
 
 #include <QLabel>
+#include <QPixmap>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -15,8 +16,9 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int lines_of_text = 2;    // that the banner has room for, whatever it says
-constexpr int candidate_lines = 7;  // that are seen at once
+constexpr int lines_of_text = 2;      // that the banner has room for, whatever it says
+constexpr int candidate_lines = 7;    // that are seen at once
+constexpr int candidate_swatch = 12;  // [pixels]
 
 QLabel* wrapped_label(const char* name) {
   auto* const label = new QLabel;
@@ -123,7 +125,11 @@ void StateWidget::show_candidates(const NodeView& view) {
   candidate_text_->setText(
       QString::fromStdString(which + (permission ? "Click the one that you see:" : permission.refusal)));
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    buttons_[i]->setText(QString::fromStdString(lines[i].branch + "\n" + lines[i].text));
+    buttons_[i]->setText(
+        QString::fromStdString(lines[i].name + ":  " + lines[i].branch + "\n" + lines[i].text));
+    QPixmap swatch(candidate_swatch, candidate_swatch);
+    swatch.fill(QColor(static_cast<QRgb>(lines[i].color)));
+    buttons_[i]->setIcon(swatch);
     buttons_[i]->setMinimumHeight(buttons_[i]->sizeHint().height());
     buttons_[i]->setEnabled(static_cast<bool>(permission));
     buttons_[i]->setToolTip(QString::fromStdString(

@@ -127,6 +127,17 @@ TEST(SurfacePicture, TheLegendHasTheColoursThatItNames) {
   EXPECT_GT(picture.legend.raised, picture.meanings[1].raised + 1.0);
 }
 
+// A legend at what is drawn alone would lie upon the robot, or move with the section.
+TEST(SurfacePicture, TheLegendStandsAboveWhatIsReachedAndHasTheSizeOfTheView) {
+  PictureChoice choice = in_aspect(five_bar(), 1);
+  choice.reach = {Eigen::Vector3d(-20.0, -20.0, 0.0), Eigen::Vector3d(20.0, 40.0, 0.0)};
+  choice.seen = 60.0;
+  const SurfacePicture picture = draw_surfaces(five_bar_store(), choice, std::nullopt, not_cancelled);
+  EXPECT_GT(picture.legend.at.y(), 40.0F);
+  EXPECT_FLOAT_EQ(picture.legend.at.y(), picture.meanings[0].at.y());
+  EXPECT_DOUBLE_EQ(picture.legend_size, legend_height * 60.0);
+}
+
 TEST(SurfacePicture, IdsAndModesAreReadAndOtherWordsNamed) {
   const AspectMap& map = five_bar();
   std::string problem;

@@ -210,10 +210,24 @@ TEST(PanelModel, OffersCandidatesUntilTheRobotIsFollowed) {
   EXPECT_EQ(lines[0].branch, "Aspect 3, (+,+), det A > 0");
   EXPECT_EQ(lines[0].text, "x 4.5, y -8");
   EXPECT_EQ(lines[1].branch, "working mode not known");
+  EXPECT_EQ(lines[0].name, "A");
+  EXPECT_EQ(lines[1].name, "B");
+  EXPECT_NE(lines[0].color, lines[1].color) << "as in the pictures";
   for (const auto code : {Status::OK, Status::NO_JOINT_STATES}) {
     view.state->status.code = code;
     EXPECT_TRUE(candidates_of(view).empty()) << int{code};
   }
+}
+
+TEST(PanelModel, PosesOfCandidatesFitIntoTheirButtons) {
+  NodeView view = ambiguous();
+  geometry_msgs::Pose& pose = view.candidates.candidates[0].pose;
+  pose.position.x = -2.1e-16;
+  pose.position.y = 0.0;
+  pose.position.z = 1.3;
+  pose.orientation.x = 0.6;
+  pose.orientation.w = 0.8;
+  EXPECT_EQ(candidates_of(view)[0].text, "x 0, y 0, z 1.3\nroll 1.29, pitch 0, yaw 0");
 }
 
 TEST(PanelModel, ReadOnlyRefusesWithItsReason) {

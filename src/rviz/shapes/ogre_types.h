@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_OGRE_TYPES_H
-#define PARALLEL_ASPECTS_RVIZ_DISPLAY_OGRE_TYPES_H
+#ifndef PARALLEL_ASPECTS_RVIZ_SHAPES_OGRE_TYPES_H
+#define PARALLEL_ASPECTS_RVIZ_SHAPES_OGRE_TYPES_H
 
 #include <Eigen/Geometry>
 
 #include <OgreColourValue.h>
+#include <OgreMaterial.h>
+#include <OgreMovableObject.h>
 #include <OgreQuaternion.h>
+#include <OgreRenderQueue.h>
+#include <OgreSceneNode.h>
 #include <OgreVector3.h>
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +35,17 @@ inline Ogre::ColourValue ogre_color(std::uint32_t color) {
   return Ogre::ColourValue(channel(16), channel(8), channel(0), 1.0F);
 }
 
+/// What is drawn after aspects and robots, so that they do not hide it.
+inline constexpr Ogre::uint8 after_the_rest = Ogre::RENDER_QUEUE_8;
+
+/// Call it when the line has its segments.
+inline void show_through(rviz::BillboardLine& line) {
+  line.getMaterial()->setDepthCheckEnabled(false);
+  Ogre::SceneNode& chains = *line.getSceneNode();
+  for (unsigned short i = 0; i < chains.numAttachedObjects(); ++i)
+    chains.getAttachedObject(i)->setRenderQueueGroup(after_the_rest);
+}
+
 /// A line of segments, two points each. `width` [m].
 template <class Points>
 void set_segments(const Points& ends, double width, rviz::BillboardLine& line) {
@@ -46,4 +61,4 @@ void set_segments(const Points& ends, double width, rviz::BillboardLine& line) {
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_RVIZ_DISPLAY_OGRE_TYPES_H
+#endif  // PARALLEL_ASPECTS_RVIZ_SHAPES_OGRE_TYPES_H
