@@ -1,15 +1,22 @@
 # Compiles the sources of a room as one, where PARALLEL_ASPECTS_BY_ROOM is on: half the processor time, most of which goes
-# into the headers that they share. Only names of one room can clash.
+# into the headers that they share. Only names of one room can clash. Rooms named after HALVED, which hold one instance for
+# each task space, are compiled as two, so that no compiler takes much more than a gigabyte.
 function(parallel_aspects_compile_by_room target)
+  cmake_parse_arguments(PARSE_ARGV 1 by_room "" "" "HALVED")
   if(NOT PARALLEL_ASPECTS_BY_ROOM OR CMAKE_VERSION VERSION_LESS 3.18)
     return()
   endif()
   get_target_property(sources ${target} SOURCES)
   get_target_property(directory ${target} SOURCE_DIR)
-  foreach(source IN LISTS sources)
-    get_filename_component(source "${source}" ABSOLUTE BASE_DIR "${directory}")
+  foreach(listed IN LISTS sources)
+    get_filename_component(source "${listed}" ABSOLUTE BASE_DIR "${directory}")
     get_filename_component(room "${source}" DIRECTORY)
     file(RELATIVE_PATH room "${PROJECT_SOURCE_DIR}/src" "${room}")
+    if(room IN_LIST by_room_HALVED)
+      list(FIND sources "${listed}" index)
+      math(EXPR half "${index} % 2")
+      string(APPEND room "_${half}")
+    endif()
     string(MAKE_C_IDENTIFIER "${room}" room)
     set_source_files_properties("${source}" TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${room})
   endforeach()

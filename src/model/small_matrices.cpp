@@ -15,7 +15,7 @@ TaskVector solution(const TaskMatrix& matrix, const TaskVector& right) {
 }
 
 TaskVector singular_values(const TaskMatrix& matrix) {
-  return Eigen::JacobiSVD<TaskMatrix>(matrix).singularValues();
+  return Eigen::JacobiSVD<TaskMatrix, Eigen::NoQRPreconditioner>(matrix).singularValues();
 }
 
 }  // namespace parallel_aspects

@@ -5,7 +5,7 @@
 #include "legs/spatial_leg.h"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -135,16 +135,16 @@ bool FoldProof::prepare(Point& point, const Vector& onward) const noexcept {
   point.tangent = onward;
   const System system = enclose(point);
   const auto n = static_cast<Eigen::Index>(size_);
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_legs, most> rows(n, n + 1);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, max_legs> columns(n + 1, n);
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index k = 0; k <= n; ++k) {
       const Interval& entry = system.matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
-      rows(i, k) = 0.5 * (entry.lower() + entry.upper());
+      columns(k, i) = 0.5 * (entry.lower() + entry.upper());
     }
-  if (!rows.allFinite()) return false;
-  const Eigen::JacobiSVD<decltype(rows)> svd(rows, Eigen::ComputeFullV);
-  const Vector tangent = svd.matrixV().col(n);
-  point.tangent = (tangent.dot(onward) < 0.0 ? -down : down) / tangent.norm() * tangent;
+  if (!columns.allFinite()) return false;
+  const Eigen::HouseholderQR<decltype(columns)> factors(columns);
+  const Vector across = factors.householderQ() * Vector::Unit(n + 1, n);
+  point.tangent = (across.dot(onward) < 0.0 ? -down : down) / across.norm() * across;
   return evaluate(point);
 }
 

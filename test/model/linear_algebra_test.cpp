@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/linear_algebra.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace parallel_aspects {
+namespace {
+
+Eigen::Vector3d random_vector(std::mt19937& random) {
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  return {uniform(random), uniform(random), uniform(random)};
+}
+
+void expect_shortest(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const Eigen::Quaterniond turn = shortest_rotation(from, to);
+  const Eigen::Vector3d a = from.normalized(), b = to.normalized();
+  EXPECT_NEAR(turn.norm(), 1.0, 1e-15);
+  EXPECT_LT((turn * a - b).norm(), 1e-7) << from.transpose() << " to " << to.transpose();
+  const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+  EXPECT_NEAR(2.0 * std::atan2(turn.vec().norm(), turn.w()), angle, 2e-7);
+}
+
+TEST(ShortestRotation, TurnsOneDirectionIntoTheOtherByTheAngleBetweenThem) {
+  std::mt19937 random(3);
+  for (int trial = 0; trial < 1000; ++trial)
+    expect_shortest(random_vector(random), 7.0 * random_vector(random));
+}
+
+TEST(ShortestRotation, IsHalfATurnBetweenOppositeDirectionsAndNearlySoBesideThem) {
+  std::mt19937 random(4);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Eigen::Vector3d from = random_vector(random);
+    for (const double aside : {0.0, 1e-16, 1e-9, 1e-8, 1e-7, 1e-5, 1e-2})
+      expect_shortest(from, -2.0 * from + aside * random_vector(random));
+  }
+  expect_shortest(Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitX());
+}
+
+TEST(SingularValues, OfSquareMatricesAreThoseOfTheGeneralDecomposition) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int n = 1; n <= 6; ++n)
+    for (int trial = 0; trial < 50; ++trial) {
+      const TaskMatrix matrix = TaskMatrix::NullaryExpr(n, n, [&] { return uniform(random); });
+      const TaskVector values = singular_values(matrix);
+      ASSERT_EQ(values.size(), n);
+      EXPECT_LT((values - singular_values(Eigen::MatrixXd(matrix))).norm(), 1e-13) << matrix;
+      EXPECT_NEAR(values.squaredNorm(), matrix.squaredNorm(), 1e-13);
+      EXPECT_NEAR(values.prod(), std::abs(determinant(matrix)), 1e-13);
+    }
+}
+
+}  // namespace
+}  // namespace parallel_aspects
