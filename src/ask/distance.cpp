@@ -37,6 +37,13 @@ std::shared_ptr<const DistanceMap> map_for(Session& session, const DistanceQuest
   return std::make_shared<const DistanceMap>(found.map, control.begin("Making the map ready."));
 }
 
+DistanceTo with_leg(const BoundaryDistance& distance) {
+  DistanceTo result{distance};
+  if (result.has_witness() || distance.status == DistanceStatus::touching)
+    result.leg = LegIndex{distance.leg};
+  return result;
+}
+
 }  // namespace
 
 DistanceOptions DistanceQuestion::options() const {
@@ -51,19 +58,11 @@ bool DistancesInMode::is_reached() const noexcept {
          distances.status == ConfigurationStatus::at_serial_singularity;
 }
 
-DistanceTo DistancesInMode::serial() const {
-  DistanceTo result{distances.serial};
-  if (result.has_witness() || distances.serial.status == DistanceStatus::touching)
-    result.leg = LegIndex{distances.serial.leg};
-  return result;
-}
+DistanceTo DistancesInMode::serial() const { return with_leg(distances.serial); }
 
 DistanceTo DistancesInMode::actuated_limit() const {
-  const BoundaryDistance& distance = distances.actuated_limit;
-  DistanceTo result{distance};
-  if (result.has_witness()) result.limit = distance.end;
-  if (result.has_witness() || distance.status == DistanceStatus::touching)
-    result.leg = LegIndex{distance.leg};
+  DistanceTo result = with_leg(distances.actuated_limit);
+  if (result.has_witness()) result.limit = distances.actuated_limit.end;
   return result;
 }
 

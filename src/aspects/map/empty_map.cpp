@@ -2,6 +2,7 @@
 #include "aspects/map/empty_map.h"
 
 #include "aspects/map/map_contents.h"
+#include "model/enumerated.h"
 #include "model/number_text.h"
 #include "model/task_space_traits.h"
 
@@ -23,7 +24,7 @@ std::optional<Box> positions_of(const AspectMap& map) {
 }
 
 /// A map of the same region with these constraints alone, as coarse as shows whether anything is there.
-MapResult coarse_map(const AspectMap& map, ConstraintKinds kinds) {
+MapResult coarse_map(const AspectMap& map, ConstraintKinds kinds, const MapControl& control) {
   MapOptions options;
   options.region = positions_of(map);
   options.slice = map.slice();
@@ -33,16 +34,15 @@ MapResult coarse_map(const AspectMap& map, ConstraintKinds kinds) {
   for (std::size_t i = 0; options.region && i < options.region->dimension; ++i)
     longest = std::max(longest, options.region->width(i));
   options.resolution = std::max(map.resolution(), longest / parts);
-  return compute_aspect_map(map.manipulator()->with_constraints(kinds), options);
+  return compute_aspect_map(map.manipulator()->with_constraints(kinds), options, {{}, control.cancelled});
 }
 
 bool has_aspect(const MapResult& result) { return result && !result.map->aspects().empty(); }
 
-std::string listed(const std::vector<ConstraintKind>& kinds, const std::string& last) {
-  std::string text;
-  for (std::size_t i = 0; i < kinds.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < kinds.size() ? ", " : last) + std::string(name(kinds[i]));
-  return text;
+std::string names_of(const std::vector<ConstraintKind>& kinds) {
+  std::vector<std::string> names;
+  for (const ConstraintKind kind : kinds) names.emplace_back(name(kind));
+  return enumerated(names);
 }
 
 bool is_apart(const Box& region, const Box& reach) {
@@ -53,13 +53,11 @@ bool is_apart(const Box& region, const Box& reach) {
 
 /// "x from -4 to 13 m and y from -13 to 13 m".
 std::string ranges_text(const std::vector<std::string>& names, const Box& box) {
-  std::string text;
+  std::vector<std::string> ranges;
   for (std::size_t i = 0; i < box.dimension; ++i)
-    text += (i == 0                  ? ""
-             : i + 1 < box.dimension ? ", "
-                                     : " and ") +
-            names[i] + " from " + number_text(box.lower[i], 4) + " to " + number_text(box.upper[i], 4) + " m";
-  return text;
+    ranges.push_back(names[i] + " from " + number_text(box.lower[i], 4) + " to " +
+                     number_text(box.upper[i], 4) + " m");
+  return enumerated(ranges);
 }
 
 /// Where no constraint alone leaves nothing.
@@ -77,8 +75,7 @@ std::string beyond_reach(const AspectMap& map, const MapResult& without_constrai
 
 std::string kept_out(const std::vector<ConstraintKind>& kinds, const std::string& where) {
   const bool one = kinds.size() == 1;
-  return (one ? "Constraint " + listed(kinds, "") + " leaves"
-              : "Constraints " + listed(kinds, " and ") + " together leave") +
+  return (one ? "Constraint " : "Constraints ") + names_of(kinds) + (one ? " leaves" : " together leave") +
          " nothing of what the legs reach in " + where + "; loosen " + (one ? "it" : "one") +
          ", or leave it out.";
 }
@@ -92,7 +89,7 @@ std::string why_out_of_reach(const Box& region, const std::optional<Box>& reach,
          "; give another region, or leave it out.";
 }
 
-std::string why_empty(const AspectMap& map) {
+std::string why_empty(const AspectMap& map, const MapControl& control) {
   if (!map.aspects().empty()) return "";
   const std::optional<Box> reach = map.contents().classifier->reachable_positions(),
                            region = positions_of(map);
@@ -104,8 +101,10 @@ std::string why_empty(const AspectMap& map) {
   for (const ConstraintKind kind : all_constraint_kinds)
     if (all[index_of(kind)]) present.push_back(kind);
   for (const ConstraintKind kind : present)
-    if (has_aspect(coarse_map(map, ConstraintKinds(all).reset(index_of(kind))))) decisive.push_back(kind);
-  const MapResult free = decisive.empty() && !present.empty() ? coarse_map(map, {}) : MapResult();
+    if (has_aspect(coarse_map(map, ConstraintKinds(all).reset(index_of(kind)), control)))
+      decisive.push_back(kind);
+  const MapResult free = decisive.empty() && !present.empty() ? coarse_map(map, {}, control) : MapResult();
+  if (is_cancelled(control)) return "";
   if (decisive.empty() && !has_aspect(free)) return beyond_reach(map, free);
   return kept_out(decisive.empty() ? present : decisive, map.slice() ? "the slice" : "the region");
 }

@@ -10,9 +10,10 @@
 
 namespace parallel_aspects {
 
-/// Why a map holds no aspect, with what to change, in a sentence; empty where it holds one. It tries what
-/// single constraints leave out in coarse maps of the same region, which takes less time than a map.
-std::string why_empty(const AspectMap& map);
+/// Why a map holds no aspect, with what to change, in a sentence; empty where it holds one, or where it is
+/// cancelled. It tries what single constraints leave out in coarse maps of the same region, which may take
+/// some seconds.
+std::string why_empty(const AspectMap& map, const MapControl& control = {});
 
 /// That positions with these names lie outside of those that the legs reach; empty where they do not.
 std::string why_out_of_reach(const Box& region, const std::optional<Box>& reach,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/map_slice.h"
 
+#include "model/enumerated.h"
 #include "model/number_text.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/held_joint.h"
@@ -26,13 +27,6 @@ Names names_of(TaskSpace space) {
 
 bool is_angle(const MapSlice& slice, const std::string& name) {
   return slice.joint ? slice.joint->is_angle : name.size() > 1;
-}
-
-std::string listed(const Names& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return text;
 }
 
 /// The coordinates that are held, by name.
@@ -71,7 +65,7 @@ void check_each(TaskSpace space, const Held& held, Problems& problems) {
   for (const HeldCoordinate& each : held.coordinates()) {
     if (std::find(held.names().begin(), held.names().end(), each.name) == held.names().end())
       problems.push_back("A slice of " + std::string(name(space)) + " has no coordinate '" + each.name +
-                         "'; hold some of " + listed(held.names()) + ".");
+                         "'; hold some of " + enumerated(held.names()) + ".");
     if (std::find(seen.begin(), seen.end(), each.name) != seen.end())
       problems.push_back("The slice holds '" + each.name + "' twice; leave one out.");
     if (!std::isfinite(each.value))
@@ -83,14 +77,14 @@ void check_each(TaskSpace space, const Held& held, Problems& problems) {
 void check_free(const Held& held, Problems& problems) {
   const Names free = held.free_of(held.names()), free_angles = held.free_of(angles);
   if (free.size() == held.names().size())
-    problems.push_back("The slice holds nothing; hold some of " + listed(held.names()) + ", such as \"" +
+    problems.push_back("The slice holds nothing; hold some of " + enumerated(held.names()) + ", such as \"" +
                        held.names().back() + "=0\".");
   else if (free.empty())
     problems.emplace_back("The slice leaves no coordinate free; leave one to three.");
   else if (free.size() > max_map_dimension)
-    problems.push_back("The slice leaves " + listed(free) + " free; leave one to three.");
+    problems.push_back("The slice leaves " + enumerated(free) + " free; leave one to three.");
   else if (free_angles.size() == 2 || (free_angles.size() == 3 && free.size() != 3))
-    problems.push_back("The slice leaves the angles " + listed(free_angles) +
+    problems.push_back("The slice leaves the angles " + enumerated(free_angles) +
                        " free; hold all of them but one, or let all three turn with x, y and z held.");
 }
 

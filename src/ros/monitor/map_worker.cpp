@@ -41,7 +41,7 @@ MapProgress computing(const char* what, double share, double resolution) {
   return report;
 }
 
-std::string complete_message(const AspectMap& map) {
+std::string complete_message(const AspectMap& map, const MapControl& control) {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3g s", map.seconds());
   const std::int64_t most = count_at_most(map);
@@ -51,7 +51,7 @@ std::string complete_message(const AspectMap& map) {
          (most < 0 || is_exact ? "" : " and at most " + std::to_string(most)) +
          (is_cut_by_region(map) ? ", in the region" : "") +
          "; pairs unresolved: " + std::to_string(map.unresolved().size()) + "; time: " + seconds + "." +
-         (map.aspects().empty() ? " " + why_empty(map) : "");
+         (map.aspects().empty() ? " " + why_empty(map, control) : "");
 }
 
 std::string complete_message(const PoseRoadmap& roadmap) {
@@ -79,7 +79,7 @@ MapProgress ended(const RoadmapResult& result) {
   return report;
 }
 
-MapProgress ended(const MapResult& result) {
+MapProgress ended(const MapResult& result, const MapControl& control) {
   MapProgress report = ended(result.status, result.message);
   if (result.status != MapStatus::complete) return report;
   report.resolution = result.map->resolution();
@@ -87,7 +87,7 @@ MapProgress ended(const MapResult& result) {
   report.count_at_most = count_at_most(*result.map);
   report.unresolved = static_cast<std::uint32_t>(result.map->unresolved().size());
   report.seconds = result.map->seconds();
-  report.message = complete_message(*result.map);
+  report.message = complete_message(*result.map, control);
   return report;
 }
 
@@ -237,7 +237,7 @@ void MapWorker::make_map(const Request& request) {
   if (!of_map) return make_roadmap(options, control);
   MapResult result = compute_aspect_map(manipulator_, options, control);
   if (cancelled_) result = {MapStatus::cancelled, "The computation was cancelled.", nullptr};
-  report(ended(result), {result.map, nullptr, nullptr});
+  report(ended(result, control), {result.map, nullptr, nullptr});
   make_distances_ready();
   if (result.status != MapStatus::complete || request.use == FileUse::none) return;
   control.progress = nullptr;
@@ -266,7 +266,7 @@ bool MapWorker::load(const MapOptions& options) {
     return false;
   }
   say_of_file("loaded from " + file_, true);
-  report(ended(result), {result.map, nullptr, nullptr});
+  report(ended(result, {{}, &cancelled_}), {result.map, nullptr, nullptr});
   return true;
 }
 

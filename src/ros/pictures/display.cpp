@@ -12,7 +12,6 @@
 #include <ros/console.h>
 
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 namespace parallel_aspects {
@@ -50,8 +49,8 @@ CuspCurves cusps_to_draw(const Manipulator& robot, const MapControl& control) {
 Display::Display(const NodeSetup& setup, ros::NodeHandle private_nh)
     : manipulator_(setup.mechanism->manipulator()),
       frames_(frames_of(setup)),
-      scene_(scene_of(setup)),
-      visuals_(setup.mechanism, setup.urdf, scene_.radius),
+      visuals_(setup.mechanism, setup.urdf, setup.options.display.radius),
+      scene_(scene_of(*setup.mechanism, setup.options, visuals_.still())),
       markers_(latched(private_nh, "markers")),
       present_markers_(latched(private_nh, "present_markers")),
       position_markers_(latched(private_nh, "position_markers")),
@@ -141,9 +140,7 @@ std::optional<PoseSlice> Display::section() {
 std::vector<visualization_msgs::Marker> Display::dots_of(const DrawnConfiguration& other) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!mapped_) return {};
-  auto markers = picture_->position(other).markers;
-  markers.erase(markers.begin());  // what deletes all others
-  return markers;
+  return added_by(picture_->position(other));
 }
 
 void Display::publish_gallery(const Drawn& now) {
@@ -191,8 +188,7 @@ void Display::draw_candidates(std::vector<visualization_msgs::Marker>& markers) 
       markers.push_back(std::move(each));
     draw_name(i, places[i], names);
   }
-  auto texts = names.take().markers;
-  std::move(texts.begin() + 1, texts.end(), std::back_inserter(markers));  // not what deletes all others
+  for (auto& each : added_by(names.take())) markers.push_back(std::move(each));
 }
 
 // On a ball of the candidate's colour, before what it stands upon: letters alone are lost among lines.

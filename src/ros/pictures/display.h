@@ -63,8 +63,8 @@ class Display {
 
   const std::shared_ptr<const Manipulator> manipulator_;
   const MarkerFrames frames_;
-  const Scene scene_;
   const RobotVisuals visuals_;
+  const Scene scene_;
   ros::Publisher markers_, present_markers_, position_markers_, uniqueness_markers_;
   tf2_ros::StaticTransformBroadcaster static_tf_;
 

@@ -104,4 +104,9 @@ void MarkerBatch::text(const Plane& plane, const std::string& group, const Eigen
   marker.pose = pose_message(plane.pose * Eigen::Translation3d(center.x(), center.y(), height));
 }
 
+std::vector<Marker> added_by(visualization_msgs::MarkerArray batch) {
+  batch.markers.erase(batch.markers.begin());
+  return std::move(batch.markers);
+}
+
 }  // namespace parallel_aspects

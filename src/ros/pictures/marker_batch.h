@@ -59,6 +59,9 @@ class MarkerBatch {
   visualization_msgs::MarkerArray array_;
 };
 
+/// The markers of a batch without what deletes all others.
+std::vector<visualization_msgs::Marker> added_by(visualization_msgs::MarkerArray batch);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_ROS_PICTURES_MARKER_BATCH_H

@@ -141,9 +141,7 @@ std::vector<Marker> RobotVisuals::skeleton_at(const Pose& pose, const JointVecto
   MarkerBatch batch;
   batch.segments({base_frame_, robot.task_frame()}, group, skeleton_of(robot, pose, q, radius_),
                  skeleton_width * drawn_size(robot, radius_), color);
-  std::vector<Marker> markers = batch.take().markers;
-  markers.erase(markers.begin());  // what deletes all others
-  return markers;
+  return added_by(batch.take());
 }
 
 }  // namespace parallel_aspects

@@ -167,13 +167,15 @@ Scene scene_of(const Mechanism& mechanism, const NodeOptions& options, const Ali
   const Manipulator& robot = *mechanism.manipulator();
   Scene scene;
   scene.planar = is_planar(robot.task_space());
-  scene.robot = robot_box(robot, start_pose(mechanism, options.start));
-  if (robot.task_space() == TaskSpace::SO3)
-    scene.robot = {Vector3d::Constant(-options.display.radius), Vector3d::Constant(options.display.radius)};
-  if (robot.task_space() == TaskSpace::SO3) scene.radius = options.display.radius;
+  const Pose start = start_pose(mechanism, options.start);
+  scene.robot = robot_box(robot, start);
+  if (robot.task_space() == TaskSpace::SO3) {
+    scene.radius = options.display.radius;
+    scene.robot = {Vector3d::Constant(-scene.radius), Vector3d::Constant(scene.radius)};
+  }
   extend_by_assembly_modes(mechanism, scene.robot);
   extend_by_base(still, scene.robot);
-  scene.reach = reach_box(robot, start_pose(mechanism, options.start));
+  scene.reach = reach_box(robot, start);
   if (scene.planar) {
     scene.robot.extend(scene.reach);
     scene.robot.max().y() += words_room * scene.robot.sizes().y();

@@ -55,7 +55,7 @@ Probe::Probe(const NodeSetup& setup, const ros::NodeHandle& private_nh, ProbeSou
       sources_(std::move(sources)),
       period_(1.0 / setup.options.probe.rate),
       solver_(mechanism_->manipulator()),
-      picture_(mechanism_, setup.urdf, scene_of(setup)),
+      picture_(mechanism_, setup.urdf, setup.options),
       start_(question_at_start(*mechanism_, setup.options.start)),
       nh_(on_queue(private_nh, queue_)),
       pose_(nh_.advertise<geometry_msgs::PoseStamped>("pose", 10, true)),

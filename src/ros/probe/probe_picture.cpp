@@ -36,11 +36,12 @@ Marker with_id(Marker marker, int id) {
 
 }  // namespace
 
-ProbePicture::ProbePicture(std::shared_ptr<const Mechanism> mechanism, const std::string& urdf, Scene scene)
+ProbePicture::ProbePicture(std::shared_ptr<const Mechanism> mechanism, const std::string& urdf,
+                           const NodeOptions& options)
     : mechanism_(std::move(mechanism)),
       robot_(*mechanism_->manipulator()),
-      visuals_(mechanism_, urdf, scene.radius),
-      scene_(std::move(scene)) {}
+      visuals_(mechanism_, urdf, options.display.radius),
+      scene_(scene_of(*mechanism_, options, visuals_.still())) {}
 
 visualization_msgs::MarkerArray ProbePicture::of(const ProbeFinding& finding, Markers extra) {
   Markers markers = std::move(extra);

@@ -20,8 +20,9 @@ namespace parallel_aspects {
 /// the nearest singularity with lines to it and the way out, where it is wanted, and words. Stamps are zero.
 class ProbePicture {
  public:
-  /// `urdf`: the text that the mechanism was loaded from. `scene`: where the words have room.
-  ProbePicture(std::shared_ptr<const Mechanism> mechanism, const std::string& urdf, Scene scene);
+  /// `urdf`: the text that the mechanism was loaded from.
+  ProbePicture(std::shared_ptr<const Mechanism> mechanism, const std::string& urdf,
+               const NodeOptions& options);
 
   /// All that is shown, and the removal of what was shown before and is no more: the array tells all of it to
   /// whoever sees it first. `extra`: markers of others that belong to it.

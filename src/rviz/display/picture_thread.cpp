@@ -19,10 +19,10 @@ namespace {
 
 constexpr double volume_resolution = 0.04;  // of the robot's size: of maps that follow it
 
-Scene drawn_scene(const SharedMechanism& mechanism, const std::string& urdf) {
+Scene drawn_scene(const Mechanism& mechanism, const RobotVisuals& visuals) {
   NodeOptions options;
-  options.display.radius = ball_radius * mechanism->manipulator()->size();
-  return scene_of(NodeSetup{mechanism, options, urdf});
+  options.display.radius = ball_radius * mechanism.manipulator()->size();
+  return scene_of(mechanism, options, visuals.still());
 }
 
 double seconds_since(const ros::SteadyTime& start) { return (ros::SteadyTime::now() - start).toSec(); }
@@ -141,8 +141,9 @@ void PictureThread::take_robot(const GetMap::Response& response) {
   const std::size_t texts = std::hash<std::string>()(response.urdf + '\n' + response.description);
   if (mechanism_ && texts == texts_) return;
   mechanism_ = mechanism_of(response);
-  has_visuals_ = !RobotVisuals(*mechanism_, response.urdf, 1.0).empty();
-  scene_ = drawn_scene(*mechanism_, response.urdf);
+  const RobotVisuals visuals(*mechanism_, response.urdf, 1.0);
+  has_visuals_ = !visuals.empty();
+  scene_ = drawn_scene(**mechanism_, visuals);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (texts_ != 0) ++result_.robots;
   texts_ = texts;

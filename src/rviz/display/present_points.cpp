@@ -24,8 +24,7 @@ struct Dot {
 
 Ogre::ColourValue color_of(const PresentPoints::Configuration& configuration) {
   if (!configuration.candidate) return Ogre::ColourValue(0.05F, 0.05F, 0.05F, 1.0F);
-  const std_msgs::ColorRGBA color = candidate_color(*configuration.candidate);
-  return Ogre::ColourValue(color.r, color.g, color.b, 1.0F);
+  return ogre_color(candidate_rgb(*configuration.candidate));
 }
 
 void add_dots(const SurfacePicture& picture, const Manipulator& robot, const Vector3d& placement,

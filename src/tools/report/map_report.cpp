@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/map/empty_map.h"
 #include "aspects/map/map_contents.h"
 #include "aspects/pictures/palette.h"
 #include "model/coefficients.h"
@@ -242,9 +241,8 @@ Report report_map(const AspectMap& map, const MapReportOptions& options) {
   const Report bounds = report_bounds(map, options.verbose);
   report.json.update(bounds.json);
   report.text += bounds.text;
-  const std::string reason = why_empty(map);
-  if (!reason.empty()) report.text += "\nnote: " + reason + "\n";
-  report.json["no_aspect"] = reason.empty() ? json() : json(reason);
+  if (!options.no_aspect.empty()) report.text += "\nnote: " + options.no_aspect + "\n";
+  report.json["no_aspect"] = options.no_aspect.empty() ? json() : json(options.no_aspect);
   report.json["loaded"] = options.loaded;
   return report;
 }

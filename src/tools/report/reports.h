@@ -26,6 +26,7 @@ struct MapReportOptions {
   bool all_aspects = false;  ///< lists those below 1 % of the largest too, which are one line otherwise
   bool verbose = false;      ///< lists every joint that a note is about
   const MapBasins* basins = nullptr;  ///< of the map, where they were looked for
+  std::string no_aspect{};            ///< why there is none, where that is so
 };
 
 /// How many aspects there are, claiming no more than is proved: "exactly 10 aspects (proved)".

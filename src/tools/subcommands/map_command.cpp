@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/map/empty_map.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/model/constraints.h"
@@ -203,6 +204,13 @@ MapBasins basins_of(const AspectMap& map, const MapArguments& arguments, const S
   return *basins;
 }
 
+std::string reason_of_none(const AspectMap& map, const Surroundings& surroundings) {
+  const MapControl control = control_of(surroundings);
+  std::string reason = why_empty(map, control);
+  if (is_cancelled(control)) throw Interrupted{};
+  return reason;
+}
+
 Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, const MapOptions& options,
                        const MapArguments& arguments, const Surroundings& surroundings) {
   std::shared_ptr<const AspectMap> map = load(manipulator, options, arguments, surroundings);
@@ -211,7 +219,8 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
   save_with_gates(*map, arguments.save_file, surroundings);
   if (!arguments.picture_file.empty()) draw(map, arguments.picture_file);
   const MapBasins basins = basins_of(*map, arguments, surroundings);
-  Report report = report_map(*map, {loaded, arguments.all_aspects, arguments.verbose, &basins});
+  Report report = report_map(
+      *map, {loaded, arguments.all_aspects, arguments.verbose, &basins, reason_of_none(*map, surroundings)});
   if (arguments.persistence) add_persistence(*map, basins, report);
   if (!arguments.basins_file.empty())
     write_output_file("Picture", arguments.basins_file, draw_basins(*map, basins));

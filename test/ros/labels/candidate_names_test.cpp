@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Candidates are told apart by their names, which lie beside each other.
+// Each candidate has a name of its own, and no name covers another.
 #include "ros/labels/candidate_names.h"
 
 #include "parallel_aspects/kinematics/direct.h"

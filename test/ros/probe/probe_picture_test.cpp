@@ -97,7 +97,7 @@ TEST_P(PictureOf, DrawsLegsAndPlatformWhereThereAreNoVisuals) {
 }
 
 TEST_P(PictureOf, HasRobotSingularityAndWordsAndTakesAwayWhatIsNoMore) {
-  ProbePicture picture(mechanism_, urdf_of(GetParam()), scene_of(*mechanism_, NodeOptions()));
+  ProbePicture picture(mechanism_, urdf_of(GetParam()), NodeOptions());
   ProbeSolver solver(mechanism_->manipulator());
   const ProbeFinding found = solver.find(question_, {}, ros::Time(1.0));
   ASSERT_TRUE(found.reached);
