@@ -2,6 +2,7 @@
 #include "aspects/cusps/curve_search.h"
 
 #include "aspects/cusps/cusp_tube.h"
+#include "aspects/cusps/tube_index.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +16,7 @@ class CurveSearch {
  public:
   CurveSearch(CuspFamily& family, const TraceBounds& bounds, std::size_t most_boxes,
               const MapControl& control)
-      : family_(family), bounds_(bounds), most_boxes_(most_boxes), control_(control) {
+      : family_(family), bounds_(bounds), most_boxes_(most_boxes), control_(control), cores_(bounds) {
     // Curves are followed a little farther, so that what touches the range from outside is known, too.
     const double more = 0.01 * (bounds.upper - bounds.lower);
     trace_bounds_ = bounds;
@@ -55,7 +56,7 @@ class CurveSearch {
   bool examine(const Box& box) {
     if (!family_.may_hold_cusp(box)) return true;
     const double width = bounds_.weights[longest_axis(box)] * box.width(longest_axis(box));
-    if (width < largest_tested && (is_covered(box) || is_settled(box))) return true;
+    if (width < largest_tested && (cores_.holds(box) || is_settled(box))) return true;
     if (width < smallest_singular && (width < smallest_box || !family_.over(box))) return false;
     divide(box);
     return true;
@@ -74,11 +75,6 @@ class CurveSearch {
     first.upper[axis] = second.lower[axis] = box.center(axis);
     boxes_.push_back(second);
     boxes_.push_back(first);
-  }
-
-  bool is_covered(const Box& box) const {
-    return std::any_of(cores_.begin(), cores_.end(),
-                       [&](const CuspTube& core) { return contains(core, box); });
   }
 
   /// Whether it is proved that the box holds no cusp, or those of one arc, which then is known.
@@ -105,14 +101,14 @@ class CurveSearch {
 
   /// Whether it is proved that a cusp lies on a known curve, or on none of these, which then is known.
   bool note(const Box& point) {
-    if (is_covered(point)) return true;
+    if (cores_.holds(point)) return true;
     for (const CuspTrace& trace : result_.traces)
       for (const CuspTube& tube : trace.tubes)
         if (may_meet(tube, point)) return false;
     CuspTrace trace = trace_cusps(family_, point, trace_bounds_, ends_, control_);
     if (trace.tubes.empty()) return false;
     if (!trace.closed) ends_.insert(ends_.end(), {trace.points.front(), trace.points.back()});
-    for (std::size_t i = 0; i < trace.tubes.size(); ++i) cores_.push_back(core_of(trace, i));
+    for (std::size_t i = 0; i < trace.tubes.size(); ++i) cores_.add(core_of(trace, i));
     result_.traces.push_back(std::move(trace));
     return true;
   }
@@ -132,7 +128,7 @@ class CurveSearch {
   std::size_t most_boxes_;
   const MapControl& control_;
   std::vector<Box> boxes_;
-  std::vector<CuspTube> cores_;
+  TubeIndex cores_;
   std::vector<Box> ends_;  // of traces
   CuspTraces result_;
   bool stopped_ = false;
