@@ -43,10 +43,32 @@ bool moves_on_unit_sphere(const Manipulator& manipulator) noexcept {
 
 double angle_of_chord(double chord) noexcept { return 2.0 * std::asin(std::clamp(0.5 * chord, 0.0, 1.0)); }
 
+DistanceUnit::DistanceUnit(const Manipulator& manipulator) noexcept
+    : is_angle_(moves_on_unit_sphere(manipulator)) {}
+
+double DistanceUnit::told(double length) const noexcept {
+  return is_angle_ && std::isfinite(length) ? angle_of_chord(length) : length;
+}
+
+double DistanceUnit::told_speed(double length, double speed) const noexcept {
+  if (!is_angle_ || !std::isfinite(length)) return speed;
+  const double half = std::clamp(0.5 * length, 0.0, 1.0);
+  return speed / std::sqrt(1.0 - half * half);
+}
+
+double DistanceUnit::meant(double value) const noexcept {
+  return is_angle_ ? 2.0 * std::sin(0.5 * std::clamp<double>(value, 0.0, EIGEN_PI)) : value;
+}
+
+std::string DistanceUnit::text(double length, int digits) const {
+  return number_text(told(length), digits) + " " + name();
+}
+
 std::string distance_text(const Manipulator& manipulator, double length, int digits) {
-  if (!moves_on_unit_sphere(manipulator) || !std::isfinite(length)) return number_text(length, digits) + " m";
-  const double angle = angle_of_chord(length);
-  return number_text(angle * 180.0 / EIGEN_PI, digits) + " deg (" + number_text(angle, digits) + " rad)";
+  const DistanceUnit unit(manipulator);
+  if (!unit.is_angle() || !std::isfinite(length)) return unit.text(length, digits);
+  return number_text(unit.told(length) * 180.0 / EIGEN_PI, digits) + " deg (" + unit.text(length, digits) +
+         ")";
 }
 
 }  // namespace parallel_aspects

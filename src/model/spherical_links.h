@@ -22,11 +22,41 @@ std::optional<SphericalLinks> spherical_links(const Leg& leg) noexcept;
 /// Whether all legs are such, so that every distance is one on a sphere of radius 1 m.
 bool moves_on_unit_sphere(const Manipulator& manipulator) noexcept;
 
+/// How people are told distances between configurations, and state them: as lengths or, of robots that move
+/// on the unit sphere, as the angles at its center. The model computes with lengths, there chords. Nothing
+/// else decides between the two.
+class DistanceUnit {
+ public:
+  constexpr DistanceUnit() noexcept = default;  ///< of lengths
+  explicit DistanceUnit(const Manipulator& manipulator) noexcept;
+  static constexpr DistanceUnit of_angles() noexcept { return DistanceUnit(true); }
+
+  constexpr bool is_angle() const noexcept { return is_angle_; }
+  constexpr const char* name() const noexcept { return is_angle_ ? "rad" : "m"; }
+
+  /// What is told of a length of the model; what is not finite stays.
+  double told(double length) const noexcept;
+
+  /// The speed that is told of a length of the model that changes so fast [m/s].
+  double told_speed(double length, double speed) const noexcept;
+
+  /// The length of the model that was meant; of more than half a turn the diameter.
+  double meant(double value) const noexcept;
+
+  /// "0.1 m" or "0.1 rad", of a length of the model.
+  std::string text(double length, int digits) const;
+
+ private:
+  constexpr explicit DistanceUnit(bool is_angle) noexcept : is_angle_(is_angle) {}
+
+  bool is_angle_ = false;
+};
+
 /// The angle at the center [rad] of a chord of the sphere of radius 1 m.
 double angle_of_chord(double chord) noexcept;
 
-/// A distance between configurations with its unit: "0.1 m" or, on the sphere, where an angle says more than
-/// a length, "5.73 deg (0.1 rad)".
+/// A distance between configurations with its unit, as `DistanceUnit` has it: "0.1 m" or "5.73 deg (0.1
+/// rad)".
 std::string distance_text(const Manipulator& manipulator, double length, int digits = 6);
 
 }  // namespace parallel_aspects

@@ -2,6 +2,7 @@
 #include "ros/messages/configurations.h"
 
 #include "model/number_text.h"
+#include "model/spherical_links.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
@@ -185,9 +186,9 @@ std::string why_not_at(const Manipulator& manipulator, const Pose& pose, const J
   double nearest = std::numeric_limits<double>::infinity();
   for (const AssemblyMode& solution : direct(manipulator, q).solutions)
     nearest = std::min(nearest, anchor_distance(manipulator, pose, solution.pose));
-  return std::isfinite(nearest)
-             ? "The nearest assembly mode of these actuated joints is " + std::to_string(nearest) + " m away."
-             : "With these actuated joints the robot does not assemble.";
+  return std::isfinite(nearest) ? "The nearest assembly mode of these actuated joints is " +
+                                      distance_text(manipulator, nearest) + " away."
+                                : "With these actuated joints the robot does not assemble.";
 }
 
 }  // namespace parallel_aspects

@@ -360,7 +360,7 @@ AspectState unknown_state(const Manipulator& manipulator, const Status& status, 
        {&message.parallel_distance, &message.serial_distance, &message.limit_distance})
     bounds->lower = bounds->upper = bounds->speed = not_a_number;
   message.residual = message.stand_off = not_a_number;
-  message.reason = reason_of(std::nullopt);
+  message.reason = reason_of(std::nullopt, DistanceUnit(manipulator));
   return message;
 }
 

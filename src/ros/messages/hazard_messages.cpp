@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/messages/hazard_messages.h"
 
-#include "model/number_text.h"
 #include "ros/messages/not_a_number.h"
 
 #include <parallel_aspects/AspectState.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace parallel_aspects {
 namespace {
@@ -45,47 +43,37 @@ ThresholdLevel level_of(const ThresholdState& state, const UniquenessState& uniq
 
 std::uint8_t level_message(ThresholdLevel level) noexcept { return static_cast<std::uint8_t>(level); }
 
-std::string reason_of(const ThresholdState& state) {
+std::string reason_of(const ThresholdState& state, DistanceUnit unit) {
   if (state.level == ThresholdLevel::clear) return {};
   if (state.level == ThresholdLevel::unknown)
     return std::string("the distance to the nearest ") + name(state.hazard) + " is not known";
-  const std::string nearest = std::string("the nearest ") + name(state.hazard) + " may be " +
-                              number_text(state.distance, 4) + " m away";
+  const std::string nearest =
+      std::string("the nearest ") + name(state.hazard) + " may be " + unit.text(state.distance, 4) + " away";
   if (state.level == ThresholdLevel::unset)
     return "no threshold is set" + (std::isfinite(state.distance) ? ": " + nearest : std::string());
-  return name(state.level) + (": " + nearest) + "; the threshold is " + number_text(state.threshold, 4) +
-         " m" + (state.held ? ", held until left by the hysteresis" : "");
+  return name(state.level) + (": " + nearest) + "; the threshold is " + unit.text(state.threshold, 4) +
+         (state.held ? ", held until left by the hysteresis" : "");
 }
 
-std::string reason_of(const std::optional<ProvedHazard>& last) {
+std::string reason_of(const std::optional<ProvedHazard>& last, DistanceUnit unit) {
   if (!last) return "nothing is known of the distances";
-  char text[160];
-  std::snprintf(text, sizeof text, "no distance is known; the nearest %s was last proved to be %.4g m away%s",
-                name(last->hazard), last->distance, motion_of(last->speed));
-  return text;
+  return std::string("no distance is known; the nearest ") + name(last->hazard) + " was last proved to be " +
+         unit.text(last->distance, 4) + " away" + motion_of(last->speed);
 }
 
-std::string message_of(const StandOffEstimate& estimate) {
+std::string message_of(const StandOffEstimate& estimate, DistanceUnit unit) {
   if (estimate.poses == 0) return {};
-  char text[240];
-  std::snprintf(
-      text, sizeof text,
-      "By tracking/encoder_noise, the assembly mode can be determined as near as %.3g m to parallel "
-      "singularities; the largest of %d that were looked at, an estimate.",
-      estimate.largest, estimate.poses);
-  return text;
+  return "By tracking/encoder_noise, the assembly mode can be determined as near as " +
+         unit.text(estimate.largest, 3) + " to parallel singularities; the largest of " +
+         std::to_string(estimate.poses) + " that were looked at, an estimate.";
 }
 
-std::string warning_of(const StandOffEstimate& estimate, double parallel_stop) {
+std::string warning_of(const StandOffEstimate& estimate, double parallel_stop, DistanceUnit unit) {
   if (!(parallel_stop > 0.0 && parallel_stop < estimate.largest)) return {};
-  char text[320];
-  std::snprintf(
-      text, sizeof text,
-      "thresholds/parallel_stop is %.3g m, but nearer than about %.3g m noise of the encoders can hide the "
-      "assembly mode: the level may become UNKNOWN before it is STOP. Raise the threshold, or lower "
-      "tracking/encoder_noise where the encoders are better.",
-      parallel_stop, estimate.largest);
-  return text;
+  return "thresholds/parallel_stop is " + unit.text(parallel_stop, 3) + ", but nearer than about " +
+         unit.text(estimate.largest, 3) +
+         " noise of the encoders can hide the assembly mode: the level may become UNKNOWN before it is STOP. "
+         "Raise the threshold, or lower tracking/encoder_noise where the encoders are better.";
 }
 
 DistanceBounds unknown_distance() {

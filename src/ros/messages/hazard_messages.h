@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_MESSAGES_HAZARD_MESSAGES_H
 #define PARALLEL_ASPECTS_ROS_MESSAGES_HAZARD_MESSAGES_H
 
+#include "model/spherical_links.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/tracking/hazard_memory.h"
 #include "parallel_aspects/tracking/stand_off.h"
@@ -26,17 +27,17 @@ ThresholdLevel level_of(const ThresholdState& state, const UniquenessState& uniq
 std::uint8_t level_message(ThresholdLevel level) noexcept;
 
 /// Which distance a level is due to, and which threshold; empty while clear.
-std::string reason_of(const ThresholdState& state);
+std::string reason_of(const ThresholdState& state, DistanceUnit unit);
 
 /// Why nothing is known of the distances, and what was last.
-std::string reason_of(const std::optional<ProvedHazard>& last);
+std::string reason_of(const std::optional<ProvedHazard>& last, DistanceUnit unit);
 
 /// What noise of the encoders means for this robot; empty where no parallel singularity was found.
-std::string message_of(const StandOffEstimate& estimate);
+std::string message_of(const StandOffEstimate& estimate, DistanceUnit unit);
 
 /// What is wrong with a threshold to stop at before parallel singularities; empty when all is well, or there
-/// is none (0) [m].
-std::string warning_of(const StandOffEstimate& estimate, double parallel_stop);
+/// is none (0) [m, also for angles].
+std::string warning_of(const StandOffEstimate& estimate, double parallel_stop, DistanceUnit unit);
 
 /// Distances that are not known: not numbers.
 DistanceBounds unknown_distance();

@@ -20,7 +20,7 @@ constexpr double speed_window = 0.2;  // over which approach is looked at [s]
 
 HazardWatch::HazardWatch(std::shared_ptr<const Manipulator> manipulator,
                          const DistanceThresholds::Options& thresholds)
-    : manipulator_(std::move(manipulator)), thresholds_(thresholds) {
+    : manipulator_(std::move(manipulator)), unit_(*manipulator_), thresholds_(thresholds) {
   speeds_.fill(ApproachSpeed(speed_window));
   findings_.distances.fill(unknown_distance());
 }
@@ -67,7 +67,7 @@ void HazardWatch::judge(const TrackedState& tracked, double residual, const ros:
   state.serial_distance = findings_.distances[1];
   state.limit_distance = findings_.distances[2];
   state.level = level_message(findings_.threshold.level);
-  state.reason = reason_of(findings_.threshold);
+  state.reason = reason_of(findings_.threshold, unit_);
   state.last_hazard = hazard_message(memory_.reported(), epoch);
   state.residual = residual;
   show_escape(tracked, state);
@@ -97,7 +97,7 @@ void HazardWatch::lose(const ros::Time& epoch, AspectState& state) {
   findings_.threshold = thresholds_.lose();
   memory_.lose();
   state.last_hazard = hazard_message(memory_.reported(), epoch);
-  state.reason = reason_of(memory_.reported());
+  state.reason = reason_of(memory_.reported(), unit_);
 }
 
 void HazardWatch::forget_measured() {

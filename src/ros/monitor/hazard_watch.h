@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_MONITOR_HAZARD_WATCH_H
 #define PARALLEL_ASPECTS_ROS_MONITOR_HAZARD_WATCH_H
 
+#include "model/spherical_links.h"
 #include "parallel_aspects/motion/motion_guard.h"
 #include "parallel_aspects/tracking/approach_speed.h"
 #include "parallel_aspects/tracking/hazard_memory.h"
@@ -68,6 +69,7 @@ class HazardWatch {
   void show_escape(const TrackedState& tracked, AspectState& state) const;
 
   std::shared_ptr<const Manipulator> manipulator_;
+  DistanceUnit unit_;  // of what people are told
   std::optional<MeasuredHazards> measured_;
   std::array<ApproachSpeed, hazard_count> speeds_;
   DistanceThresholds thresholds_;

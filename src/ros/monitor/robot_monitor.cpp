@@ -38,7 +38,8 @@ RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const Nod
                           "Nothing has arrived on " + topic + " yet; " + names_.expectation() + ".")),
       age_(options.joint_states_timeout),
       publishers_(ros::Duration(options.joint_states_timeout)),
-      hazards_(mechanism->manipulator(), thresholds_of(options.thresholds)) {
+      hazards_(mechanism->manipulator(),
+               thresholds_of(options.thresholds, DistanceUnit(*mechanism->manipulator()))) {
   if (options.guard.enabled) guard_.emplace(mechanism->manipulator(), options);
 }
 

@@ -2,6 +2,7 @@
 #include "ros/monitor/threshold_offer.h"
 
 #include "model/number_text.h"
+#include "model/spherical_links.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 
 #include <Eigen/Geometry>
@@ -58,23 +59,26 @@ double speed_limit(const Manipulator& robot, const AssembledConfiguration& at) {
 ThresholdParameters offered_thresholds(const Manipulator& robot, const StandOffEstimate& stand_off) {
   const double share = robot.leg_count() == 6 ? 0.005 : 0.02;
   ThresholdParameters offered;
-  offered.serial_stop = offered.limit_stop = rounded_up(share * robot.size());
-  offered.parallel_stop = rounded_up(std::max(share * robot.size(), stand_off.largest));
+  const DistanceUnit unit(robot);
+  offered.serial_stop = offered.limit_stop = rounded_up(unit.told(share * robot.size()));
+  offered.parallel_stop = rounded_up(unit.told(std::max(share * robot.size(), stand_off.largest)));
   return offered;
 }
 
 std::string threshold_offer(const Mechanism& mechanism, const StandOffEstimate& stand_off) {
   const Manipulator& robot = *mechanism.manipulator();
   const ThresholdParameters offered = offered_thresholds(robot, stand_off);
+  const std::string unit = DistanceUnit(robot).name();
   const auto written = [](double value) { return number_text(value, digits); };
   const std::string text =
       "No threshold is set; for example thresholds: {parallel_stop: " + written(offered.parallel_stop) +
       ", serial_stop: " + written(offered.serial_stop) + ", limit_stop: " + written(offered.limit_stop) +
-      "} [m]; a robot at " + written(offered.serial_stop / stopping_time) + " m/s goes " +
-      written(offered.serial_stop) + " m in " + written(stopping_time) + " s";
+      "} [" + unit + "]; a robot at " + written(offered.serial_stop / stopping_time) + " " + unit +
+      "/s goes " + written(offered.serial_stop) + " " + unit + " in " + written(stopping_time) + " s";
   const double limit = speed_limit(robot, mechanism.assembled());
   if (!std::isfinite(limit)) return text + ".";
-  return text + ", and its velocity limits allow up to " + written(limit) + " m/s where it is assembled.";
+  return text + ", and its velocity limits allow up to " + written(limit) + " " + unit +
+         "/s where it is assembled.";
 }
 
 }  // namespace parallel_aspects

@@ -30,7 +30,7 @@ std::array<double, hazard_count> stops_of(const DistanceThresholds::Options& thr
   return stops;
 }
 
-GuardOptions guard_options(const NodeOptions& options) {
+GuardOptions guard_options(const NodeOptions& options, DistanceUnit unit) {
   const GuardParameters& given = options.guard;
   GuardOptions guard;
   guard.latency = given.latency;
@@ -40,7 +40,7 @@ GuardOptions guard_options(const NodeOptions& options) {
   if (given.linear_deceleration > 0.0) guard.linear_deceleration = given.linear_deceleration;
   if (given.angular_deceleration > 0.0) guard.angular_deceleration = given.angular_deceleration;
   guard.recovery = given.recovery;
-  guard.stop = stops_of(thresholds_of(options.thresholds));
+  guard.stop = stops_of(thresholds_of(options.thresholds, unit));
   return guard;
 }
 
@@ -75,7 +75,7 @@ VelocityGuard::VelocityGuard(std::shared_ptr<const Manipulator> manipulator, con
     : manipulator_(manipulator),
       timeout_(options.guard.command_timeout),
       reference_point_(point_of(options.guard.reference_point)),
-      guard_(manipulator, guard_options(options)) {
+      guard_(manipulator, guard_options(options, DistanceUnit(*manipulator))) {
   state_.reason = GuardState::NO_COMMAND;
   state_.message = "No command has come yet.";
 }

@@ -2,6 +2,7 @@
 #include "ros/node/check_queries.h"
 
 #include "model/number_text.h"
+#include "model/spherical_links.h"
 #include "motion/check/sample_distances.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/model/anchor_distance.h"
@@ -278,8 +279,9 @@ void CheckQueries::start_poses_now(Question& question) const {
   const double off = anchor_distance(*manipulator_, current.solved.pose, question.poses.front().pose);
   const auto mode = working_mode(*manipulator_, current.solved.pose, current.solved.q);
   if (!(off <= start_tolerance * manipulator_->size()))
-    question.status = invalid_request("The poses do not start where the robot is: the first is " +
-                                      number_text(off) + " m off; start there, or state another start.");
+    question.status =
+        invalid_request("The poses do not start where the robot is: the first is " +
+                        distance_text(*manipulator_, off) + " off; start there, or state another start.");
   else if (!mode)
     question.status =
         invalid_request("A leg of the robot is stretched or folded now; move it out of B_jj = 0.");

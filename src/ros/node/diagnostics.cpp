@@ -16,14 +16,11 @@ using Level = diagnostic_msgs::DiagnosticStatus;
 
 std::string region_text(std::uint32_t number) { return number == 0 ? "unknown" : std::to_string(number); }
 
-// As angles where all anchors move on the unit sphere.
 void add_distances(const Manipulator& manipulator, const MonitorFindings& findings, bool known,
                    diagnostic_updater::DiagnosticStatusWrapper& status) {
-  const bool as_angle = moves_on_unit_sphere(manipulator);
-  const std::string unit = as_angle ? " [rad]" : " [m]";
-  const auto shown = [as_angle](double length) {
-    return std::to_string(as_angle && std::isfinite(length) ? angle_of_chord(length) : length);
-  };
+  const DistanceUnit told(manipulator);
+  const std::string unit = std::string(" [") + told.name() + "]";
+  const auto shown = [told](double length) { return std::to_string(told.told(length)); };
   for (std::size_t i = 0; i < hazard_count; ++i)
     status.add("proved distance to the nearest " + std::string(name(static_cast<Hazard>(i))) + unit,
                known ? shown(findings.distances[i].lower) : "unknown");

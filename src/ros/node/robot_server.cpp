@@ -225,9 +225,13 @@ std::string RobotServer::no_transform(const std::string& frame, const std::excep
 }
 
 void RobotServer::accept_reconfiguration() {
+  // For whoever shows the distances of ~state, and states thresholds.
+  service_nh_.setParam("distance_unit", DistanceUnit(*setup_.mechanism->manipulator()).name());
   reconfiguration_ = std::make_unique<Reconfiguration>(
       service_nh_, setup_.options,
-      [this](const ThresholdParameters& wanted) { monitor_.set_thresholds(thresholds_of(wanted)); },
+      [this](const ThresholdParameters& wanted) {
+        monitor_.set_thresholds(thresholds_of(wanted, DistanceUnit(*setup_.mechanism->manipulator())));
+      },
       [this](const DisplayOptions& wanted) {
         display_.set_options(wanted);
         display_timer_.setPeriod(ros::WallDuration(1.0 / wanted.rate));
@@ -320,12 +324,17 @@ void RobotServer::work() {
 void RobotServer::report_stand_off() {
   const StandOffEstimate estimate =
       estimate_stand_off(setup_.mechanism->manipulator(), setup_.options.tracking.samples, 50, ros::ok);
-  const std::string warning = warning_of(estimate, setup_.options.thresholds.parallel_stop);
-  if (estimate.poses > 0) ROS_INFO_STREAM(message_of(estimate));
+  const DistanceUnit unit = DistanceUnit(*setup_.mechanism->manipulator());
+  const DistanceThresholds::Options thresholds = thresholds_of(setup_.options.thresholds, unit);
+  const std::string warning =
+      warning_of(estimate, thresholds[static_cast<std::size_t>(Hazard::parallel_singularity)].stop, unit);
+  if (estimate.poses > 0) ROS_INFO_STREAM(message_of(estimate, unit));
   if (!warning.empty()) ROS_WARN_STREAM(warning);
   const std::string offer = threshold_offer(*setup_.mechanism, estimate);
   diagnostics_.offer(offer);
-  if (!is_set(thresholds_of(setup_.options.thresholds))) ROS_WARN_STREAM(offer);
+  if (unit.is_angle() && is_set(thresholds))
+    ROS_INFO_STREAM("The thresholds of this robot are angles [rad], as all its axes meet.");
+  if (!is_set(thresholds)) ROS_WARN_STREAM(offer);
 }
 
 void RobotServer::report_silence() {

@@ -239,6 +239,7 @@ NodeOptions options_from(const XmlRpcValue& parameters, const std::string& prefi
   reader.read("frame_prefix", options.frame_prefix);
   for (const char* read_elsewhere : {"mechanism", "constraints", "motion", "diagnostic_period"})
     reader.raw(read_elsewhere);
+  reader.raw("distance_unit");  // set by the node itself, so that it is there when it starts again or reloads
   reader.report_unknown_keys();
   return options;
 }

@@ -120,8 +120,10 @@ bool within(double value, double lowest, double highest) { return value >= lowes
 
 void check_thresholds(const ThresholdParameters& given, const std::string& group, Checks& checks) {
   const auto check = [&](const std::string& key, double warn, double stop) {
-    checks.require(within(warn, 0.0, 1e6), group + key + "_warn", "must be 0 (none) to 1000000 [m].");
-    checks.require(within(stop, 0.0, 1e6), group + key + "_stop", "must be 0 (none) to 1000000 [m].");
+    checks.require(within(warn, 0.0, 1e6), group + key + "_warn",
+                   "must be 0 (none) to 1000000 [m, of spherical robots rad].");
+    checks.require(within(stop, 0.0, 1e6), group + key + "_stop",
+                   "must be 0 (none) to 1000000 [m, of spherical robots rad].");
     checks.require(!(warn > 0.0 && stop > warn), group + key + "_stop",
                    "must not be above " + key + "_warn, as the robot would stop before it is warned.");
   };
@@ -172,10 +174,12 @@ void check_tracking(const TrackerOptions& tracking, const PassiveOptions& passiv
 
 }  // namespace
 
-DistanceThresholds::Options thresholds_of(const ThresholdParameters& given) {
-  return {{{given.parallel_warn, given.parallel_stop, given.hysteresis},
-           {given.serial_warn, given.serial_stop, given.hysteresis},
-           {given.limit_warn, given.limit_stop, given.hysteresis}}};
+DistanceThresholds::Options thresholds_of(const ThresholdParameters& given, DistanceUnit unit) {
+  const auto lengths = [&](double warn, double stop) {
+    return ThresholdOptions{unit.meant(warn), unit.meant(stop), given.hysteresis};
+  };
+  return {lengths(given.parallel_warn, given.parallel_stop), lengths(given.serial_warn, given.serial_stop),
+          lengths(given.limit_warn, given.limit_stop)};
 }
 
 Problems problems_of(const ThresholdParameters& thresholds, const std::string& prefix) {

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_PARAMETERS_NODE_OPTIONS_H
 #define PARALLEL_ASPECTS_ROS_PARAMETERS_NODE_OPTIONS_H
 
+#include "model/spherical_links.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"
@@ -31,7 +32,7 @@ struct DisplayOptions {
   double rate = 20.0;   ///< how often the drawn position is renewed [Hz], 0.1 to 100
 };
 
-/// Thresholds on the proved distances [m]; 0 for none.
+/// Thresholds on the proved distances, in the `DistanceUnit` of the robot [m or rad]; 0 for none.
 struct ThresholdParameters {
   double parallel_warn = 0.0, parallel_stop = 0.0;
   double serial_warn = 0.0, serial_stop = 0.0;
@@ -65,8 +66,8 @@ struct UniquenessParameters {
   std::optional<int> most_cells;  ///< as in `UniquenessOptions`, 1,000 to 100,000,000
 };
 
-/// What the thresholds of each hazard are.
-DistanceThresholds::Options thresholds_of(const ThresholdParameters& parameters);
+/// What the thresholds of each hazard are, as lengths of the model [m].
+DistanceThresholds::Options thresholds_of(const ThresholdParameters& parameters, DistanceUnit unit);
 
 /// Every parameter of the node but the description of the robot.
 struct NodeOptions {

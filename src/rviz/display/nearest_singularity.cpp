@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/nearest_singularity.h"
 
-#include "model/number_text.h"
 #include "rviz/display/workspace_painter.h"
 
 #include <algorithm>
@@ -59,10 +58,10 @@ std::optional<NearestSingularity> nearest_singularity(const Manipulator& robot, 
   return nearest;
 }
 
-std::string words_of(const NearestSingularity& nearest) {
+std::string words_of(const NearestSingularity& nearest, DistanceUnit unit) {
   return std::string("nearest singularity found: ") +
          (nearest.kind == BoundaryKind::parallel ? "parallel, " : "serial, ") +
-         number_text(nearest.distance, 3) + " m";
+         unit.text(nearest.distance, 3);
 }
 
 }  // namespace parallel_aspects

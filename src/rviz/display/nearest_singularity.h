@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_NEAREST_SINGULARITY_H
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_NEAREST_SINGULARITY_H
 
+#include "model/spherical_links.h"
 #include "parallel_aspects/aspects/boundary_curves.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 
@@ -31,7 +32,7 @@ std::optional<NearestSingularity> nearest_singularity(const Manipulator& robot, 
                                                       const BoundaryDistances& distances, double radian);
 
 /// In one line.
-std::string words_of(const NearestSingularity& nearest);
+std::string words_of(const NearestSingularity& nearest, DistanceUnit unit);
 
 }  // namespace parallel_aspects
 

@@ -27,7 +27,7 @@ class SingularityMark {
   void clear();
 
   /// What it is, in one line; empty where none is shown.
-  std::string words() const { return nearest_ ? words_of(*nearest_) : ""; }
+  std::string words() const { return nearest_ ? words_of(*nearest_, DistanceUnit(*robot_)) : ""; }
 
  private:
   using Clock = std::chrono::steady_clock;

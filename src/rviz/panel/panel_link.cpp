@@ -218,8 +218,10 @@ void PanelLink::start_anew() {
   worker_.post([this] {
     bool read_only = false;
     ros::param::get(node_ + "/read_only", read_only);
+    const std::string unit = ros::param::param<std::string>(node_ + "/distance_unit", "m");
     const std::lock_guard<std::mutex> lock(mutex_);
     view_.read_only = read_only;
+    view_.unit = unit == DistanceUnit::of_angles().name() ? DistanceUnit::of_angles() : DistanceUnit();
   });
 }
 

@@ -144,28 +144,42 @@ const DistanceBounds& bounds_of(const AspectState& state, Hazard hazard) {
   return state.limit_distance;
 }
 
-std::string metres(double value) { return number_text(value, digits) + " m"; }
-
-std::string motion_of(double speed) {
-  if (!std::isfinite(speed) || std::abs(speed) < slowest_seen) return {};
-  return std::string(speed < 0.0 ? ", shrinks " : ", grows ") + number_text(std::abs(speed), 2) + " m/s";
+// Of a number that is one already.
+std::string with_unit(double value, DistanceUnit unit) {
+  return number_text(value, digits) + " " + unit.name();
 }
 
-std::string text_of(const DistanceBounds& bounds) {
+std::string motion_of(double speed, DistanceUnit unit) {
+  if (!std::isfinite(speed) || std::abs(speed) < slowest_seen) return {};
+  return std::string(speed < 0.0 ? ", shrinks " : ", grows ") + number_text(std::abs(speed), 2) + " " +
+         unit.name() + "/s";
+}
+
+// As people are told them, as the thresholds are.
+DistanceBounds told_bounds(const DistanceBounds& bounds, DistanceUnit unit) {
+  DistanceBounds told = bounds;
+  told.lower = unit.told(bounds.lower);
+  told.upper = unit.told(bounds.upper);
+  told.speed = unit.told_speed(bounds.lower, bounds.speed);
+  return told;
+}
+
+std::string text_of(const DistanceBounds& bounds, DistanceUnit unit) {
   if (std::isnan(bounds.lower)) return "not measured";
   if (std::isinf(bounds.lower)) return "none";
-  return metres(bounds.lower) + motion_of(bounds.speed);
+  return with_unit(bounds.lower, unit) + motion_of(bounds.speed, unit);
 }
 
 bool is_set(const LevelThresholds& thresholds) { return thresholds.warn > 0.0 || thresholds.stop > 0.0; }
 
-std::string tip_of(const DistanceBounds& bounds, const LevelThresholds& thresholds) {
+std::string tip_of(const DistanceBounds& bounds, const LevelThresholds& thresholds, DistanceUnit unit) {
   if (std::isnan(bounds.lower)) return "Not measured yet.";
-  std::string tip = std::isinf(bounds.lower) ? "Proved: there is none in this working mode."
-                                             : "Proved: none is nearer than " + metres(bounds.lower) + ".";
-  if (std::isfinite(bounds.upper)) tip += " One was found at " + metres(bounds.upper) + ".";
-  if (thresholds.warn > 0.0) tip += " WARN below " + metres(thresholds.warn) + ".";
-  if (thresholds.stop > 0.0) tip += " STOP below " + metres(thresholds.stop) + ".";
+  std::string tip = std::isinf(bounds.lower)
+                        ? "Proved: there is none in this working mode."
+                        : "Proved: none is nearer than " + with_unit(bounds.lower, unit) + ".";
+  if (std::isfinite(bounds.upper)) tip += " One was found at " + with_unit(bounds.upper, unit) + ".";
+  if (thresholds.warn > 0.0) tip += " WARN below " + with_unit(thresholds.warn, unit) + ".";
+  if (thresholds.stop > 0.0) tip += " STOP below " + with_unit(thresholds.stop, unit) + ".";
   if (!is_set(thresholds)) tip += " No threshold is set.";
   return tip;
 }
@@ -193,7 +207,7 @@ DistanceGauge gauge_of(const NodeView& view, Hazard hazard, double scale) {
   DistanceBounds bounds;
   bounds.lower = bounds.upper = bounds.speed = std::numeric_limits<double>::quiet_NaN();
   if (view.connected && view.state && view.state->status.code == Status::OK)
-    bounds = bounds_of(*view.state, hazard);
+    bounds = told_bounds(bounds_of(*view.state, hazard), view.unit);
   DistanceGauge gauge;
   gauge.name = name_of(hazard);
   gauge.tone = tone_of(bounds, thresholds);
@@ -202,8 +216,8 @@ DistanceGauge gauge_of(const NodeView& view, Hazard hazard, double scale) {
   gauge.upper = share_of(drawn.upper, scale);
   gauge.warn = share_of(thresholds.warn, scale);
   gauge.stop = share_of(thresholds.stop, scale);
-  gauge.text = text_of(bounds);
-  gauge.tip = tip_of(bounds, thresholds);
+  gauge.text = text_of(bounds, view.unit);
+  gauge.tip = tip_of(bounds, thresholds, view.unit);
   return gauge;
 }
 
@@ -243,7 +257,11 @@ std::string branch_of(const std::vector<std::int8_t>& working_mode, int determin
   return mode ? branch_text(*mode, determinant_sign) : std::string("working mode not known");
 }
 
-std::string pose_of(const geometry_msgs::Pose& pose) {
+std::string pose_of(const geometry_msgs::Pose& pose, DistanceUnit unit) {
+  if (unit.is_angle()) {
+    const std::string turn = turn_of(pose.orientation);
+    return turn.empty() ? "not turned" : turn.substr(2);
+  }
   constexpr double seen = 1e-9;  // what is less is rounding
   const auto length = [](double value) { return number_text(std::abs(value) < seen ? 0.0 : value, 4); };
   std::string text = "x " + length(pose.position.x) + ", y " + length(pose.position.y);
@@ -258,7 +276,7 @@ Banner banner_of(const NodeView& view) {
   if (state.status.code != Status::OK) {
     Banner banner{Tone::unknown, title_of(state.status.code), state.status.message};
     if (!state.last_hazard.kind) return banner;
-    banner.text += "\nLast proved: " + metres(state.last_hazard.lower) + " from the hazard.";
+    banner.text += "\nLast proved: " + view.unit.text(state.last_hazard.lower, digits) + " from the hazard.";
     return banner;
   }
   if (view.silence > too_silent)
@@ -287,7 +305,7 @@ DomainLine domain_line_of(const NodeView& view) {
 }
 
 double scale_of(const NodeView& view) {
-  double largest = view.largest_distance;
+  double largest = view.unit.told(view.largest_distance);
   for (const LevelThresholds& each : view.thresholds)
     largest = std::max({largest, 2.0 * each.warn, 2.0 * each.stop});
   if (!(largest > 0.0) || !std::isfinite(largest)) return 1.0;
@@ -318,7 +336,7 @@ std::vector<CandidateLine> candidates_of(const NodeView& view) {
   if (code == Status::OK || code == Status::NO_JOINT_STATES) return lines;
   for (const SolvedConfiguration& each : view.candidates.candidates) {
     CandidateLine line{candidate_name(lines.size()), candidate_rgb(lines.size()),
-                       branch_of(each.working_mode, each.determinant_sign), pose_of(each.pose)};
+                       branch_of(each.working_mode, each.determinant_sign), pose_of(each.pose, view.unit)};
     if (const auto turn = line.text.find(", roll"); turn != std::string::npos)
       line.text.replace(turn, 2, "\n");  // a button has the width of three coordinates
     if (each.aspect > 0) line.branch = "Aspect " + std::to_string(each.aspect) + ", " + line.branch;

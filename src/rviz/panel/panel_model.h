@@ -2,6 +2,8 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_PANEL_PANEL_MODEL_H
 #define PARALLEL_ASPECTS_RVIZ_PANEL_PANEL_MODEL_H
 
+#include "model/spherical_links.h"
+
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectTransition.h>
 #include <parallel_aspects/AssemblyCandidates.h>
@@ -18,7 +20,7 @@
 
 namespace parallel_aspects {
 
-/// Distances below which a node says WARN or STOP [m]; 0 for none.
+/// Distances below which a node says WARN or STOP, in `NodeView::unit`; 0 for none.
 struct LevelThresholds {
   double warn = 0.0;
   double stop = 0.0;
@@ -37,7 +39,8 @@ struct NodeView {
   std::uint64_t start = 0;     ///< counts the times that the node started anew or loaded another robot
   std::optional<AspectState> state;
   std::array<LevelThresholds, 3> thresholds;  ///< by `Hazard`
-  double largest_distance = 0.0;              ///< that was seen, of any hazard [m]
+  DistanceUnit unit;                          ///< that its distances are told in, and its thresholds are in
+  double largest_distance = 0.0;  ///< that was seen, of any hazard [m], also where angles are told
   std::vector<AspectTransition> transitions;  ///< the last ones, the oldest first
   AssemblyCandidates candidates;
   std::optional<MapProgress> progress;
@@ -86,7 +89,7 @@ struct DistanceGauge {
 /// By `Hazard`, on one scale, so that the shortest bar is the nearest hazard.
 std::array<DistanceGauge, 3> gauges_of(const NodeView& view);
 
-/// The length of the scale of `gauges_of`: 1, 2 or 5 times a power of ten [m].
+/// The length of the scale of `gauges_of`: 1, 2 or 5 times a power of ten, in `NodeView::unit`.
 double scale_of(const NodeView& view);
 
 /// A line of the list of transitions.
@@ -136,8 +139,9 @@ std::string branch_of(const std::vector<std::int8_t>& working_mode, int determin
 /// "(+,-)"; "any" without signs.
 std::string mode_of(const std::vector<std::int8_t>& working_mode);
 
-/// "x 4.5, y 8, phi 0.3", in m and rad; angles only where the platform has turned.
-std::string pose_of(const geometry_msgs::Pose& pose);
+/// "x 4.5, y 8, phi 0.3", in m and rad; angles only where the platform has turned. Of a wrist, which does not
+/// move, the angles alone.
+std::string pose_of(const geometry_msgs::Pose& pose, DistanceUnit unit = {});
 
 }  // namespace parallel_aspects
 

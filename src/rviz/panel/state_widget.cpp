@@ -87,8 +87,8 @@ void StateWidget::show_view(const NodeView& view) {
   show_domains(domain_line_of(view));
   const auto gauges = gauges_of(view);
   for (std::size_t i = 0; i < bars_.size(); ++i) bars_[i]->show_gauge(gauges[i]);
-  scale_->setText(
-      QString::fromStdString("bars: proved distance, full at " + number_text(scale_of(view)) + " m"));
+  scale_->setText(QString::fromStdString("bars: proved distance, full at " + number_text(scale_of(view)) +
+                                         " " + view.unit.name()));
   show_candidates(view);
 }
 

@@ -22,10 +22,10 @@ struct ConnectArguments {
   ConstraintArguments constraints;
 };
 
-/// A length that is proved or, on the unit sphere, an angle.
+/// A distance that is proved.
 std::string clearance_text(const Manipulator& robot, double lower) {
-  return moves_on_unit_sphere(robot) ? shown_bound(angle_of_chord(lower), Side::below) + " rad"
-                                     : shown_bound(lower, Side::below) + " m";
+  const DistanceUnit unit(robot);
+  return shown_bound(unit.told(lower), Side::below) + " " + unit.name();
 }
 
 std::string connection_path_text(const Manipulator& robot, const ask::ConnectionInMode& answer) {

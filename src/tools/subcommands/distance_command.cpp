@@ -20,9 +20,10 @@ struct DistanceArguments {
   QuestionTexts texts;
 };
 
-/// [m], or the angle at the center where all anchors are on the unit sphere.
+/// [m], or an angle.
 std::string length_text(const Manipulator& manipulator, double length) {
-  return moves_on_unit_sphere(manipulator) ? shown_angle(angle_of_chord(length)) : shown(length);
+  const DistanceUnit unit(manipulator);
+  return unit.is_angle() ? shown_angle(unit.told(length)) : shown(length);
 }
 
 std::string lower_text(const Manipulator& manipulator, const BoundaryDistance& distance) {
@@ -43,7 +44,7 @@ void add_row(const Manipulator& manipulator, const WorkingMode& mode, const std:
 }
 
 std::string distances_text(const Manipulator& manipulator, const ask::DistanceAnswer& answer) {
-  const bool on_sphere = moves_on_unit_sphere(manipulator);
+  const bool on_sphere = DistanceUnit(manipulator).is_angle();
   const std::string unit = on_sphere ? "" : " [m]";
   TextTable table({"working mode", "to the nearest", ">proved at least" + unit, ">at most" + unit, "status",
                    "at", "actuated joints move by [rad or m]"});

@@ -154,21 +154,51 @@ TEST_F(NearDeterminantZero, IsSaidToBeTheCauseAlsoOfPartialJointStates) {
 
 TEST(StandOffWarning, IsGivenWhereAThresholdLiesInside) {
   StandOffEstimate estimate;
-  EXPECT_EQ(message_of(estimate), "") << "no parallel singularity was found";
-  EXPECT_EQ(warning_of(estimate, 0.1), "");
+  EXPECT_EQ(message_of(estimate, {}), "") << "no parallel singularity was found";
+  EXPECT_EQ(warning_of(estimate, 0.1, {}), "");
   estimate.largest = 0.14;
   estimate.poses = 50;
-  EXPECT_NE(message_of(estimate).find("0.14 m"), std::string::npos);
-  EXPECT_NE(message_of(estimate).find("estimate"), std::string::npos);
-  EXPECT_EQ(warning_of(estimate, 0.2), "");
-  EXPECT_EQ(warning_of(estimate, 0.0), "") << "there is no threshold";
-  EXPECT_NE(warning_of(estimate, 0.1).find("parallel_stop"), std::string::npos);
+  EXPECT_NE(message_of(estimate, {}).find("0.14 m"), std::string::npos);
+  EXPECT_NE(message_of(estimate, {}).find("estimate"), std::string::npos);
+  EXPECT_EQ(warning_of(estimate, 0.2, {}), "");
+  EXPECT_EQ(warning_of(estimate, 0.0, {}), "") << "there is no threshold";
+  EXPECT_NE(warning_of(estimate, 0.1, {}).find("parallel_stop"), std::string::npos);
+}
+
+// A wrist is told angles, and told its thresholds in them: nothing says m of a number in rad or the reverse.
+TEST(DistancesOfWrists, AreAngles) {
+  for (const char* name : {"agile_eye", "spherical_3rrr"}) {
+    const DistanceUnit unit(*test::shipped(name)->manipulator());
+    ASSERT_TRUE(unit.is_angle()) << name;
+    ThresholdParameters given;
+    given.parallel_warn = 1.0;
+    given.parallel_stop = 0.5;
+    given.serial_stop = 1e6;
+    const DistanceThresholds::Options options = thresholds_of(given, unit);
+    EXPECT_DOUBLE_EQ(options[0].warn, 2.0 * std::sin(0.5));
+    EXPECT_DOUBLE_EQ(options[1].stop, 2.0) << "no chord is longer";
+    DistanceThresholds thresholds(options);
+    const double inf = std::numeric_limits<double>::infinity();
+    const auto level_at = [&](double angle) {
+      return thresholds.update({2.0 * std::sin(0.5 * angle), inf, inf}).level;
+    };
+    EXPECT_EQ(level_at(1.001), ThresholdLevel::clear);
+    EXPECT_EQ(level_at(0.999), ThresholdLevel::warn);
+    EXPECT_EQ(reason_of(thresholds.state(), unit),
+              "warn: the nearest parallel singularity may be 0.999 rad away; the threshold is 1 rad");
+    EXPECT_EQ(level_at(0.499), ThresholdLevel::stop);
+    const auto last = std::make_optional(ProvedHazard{Hazard::limit, 2.0 * std::sin(0.125), 0.1, 1.0});
+    EXPECT_NE(reason_of(last, unit).find("0.25 rad away"), std::string::npos);
+    EXPECT_NEAR(unit.told_speed(2.0 * std::sin(0.5), std::cos(0.5)), 1.0, 1e-12);
+  }
+  EXPECT_FALSE(DistanceUnit(*test::shipped("five_bar")->manipulator()).is_angle());
 }
 
 // What is offered can be used as it is, and noise of the encoders does not hide the assembly mode there.
 TEST(ThresholdOffer, CanBePasted) {
   for (const char* name : {"five_bar", "delta", "three_rrr", "stewart", "spherical_3rrr"}) {
     const auto mechanism = test::shipped(name);
+    const DistanceUnit unit(*mechanism->manipulator());
     StandOffEstimate estimate;
     for (const double largest : {0.0, 0.0123, 0.1 * mechanism->manipulator()->size()}) {
       estimate.largest = largest;
@@ -183,7 +213,8 @@ TEST(ThresholdOffer, CanBePasted) {
       parameters.limit_stop = given["limit_stop"].as<double>();
       EXPECT_EQ(given.size(), 3U);
       EXPECT_TRUE(problems_of(parameters, "thresholds/").empty()) << offer;
-      EXPECT_EQ(warning_of(estimate, parameters.parallel_stop), "") << offer;
+      EXPECT_EQ(warning_of(estimate, unit.meant(parameters.parallel_stop), unit), "") << offer;
+      EXPECT_NE(offer.find(std::string("} [") + unit.name() + "]"), std::string::npos) << offer;
       EXPECT_GT(parameters.serial_stop, 0.0);
       EXPECT_LT(parameters.serial_stop, 0.05 * mechanism->manipulator()->size()) << offer;
       EXPECT_NE(offer.find("velocity limits allow up to "), std::string::npos) << offer;

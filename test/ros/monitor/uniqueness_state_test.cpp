@@ -131,7 +131,7 @@ TEST_F(UniquenessStateTest, WarnsAroundACuspAndNotBackAtTheStart) {
   EXPECT_EQ(unset.level, AspectState::NO_THRESHOLD) << "no warning makes that a level to go on at";
   for (const char* words : {"no threshold is set", "uniqueness domain"})
     EXPECT_NE(unset.reason.find(words), std::string::npos) << unset.reason;
-  monitor_.set_thresholds(thresholds_of(options().thresholds));
+  monitor_.set_thresholds(thresholds_of(options().thresholds, {}));
   const auto begun = told(AspectTransition::UNIQUENESS);
   ASSERT_EQ(begun.size(), 1U);
   EXPECT_FALSE(begun[0].domain_shared);

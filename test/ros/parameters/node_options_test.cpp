@@ -109,6 +109,15 @@ TEST(OptionsFrom, ReadsEveryParameter) {
   EXPECT_TRUE(problems_of(options, *test::five_bar(), "/node/").empty());
 }
 
+// A node that is killed and starts again, or reloads, finds what it has set itself.
+TEST(OptionsFrom, TakesWhatTheNodeSets) {
+  XmlRpcValue parameters;
+  parameters["distance_unit"] = "rad";
+  Problems problems;
+  options_from(parameters, "/node/", problems);
+  EXPECT_TRUE(problems.empty()) << problems.front();
+}
+
 TEST(OptionsFrom, ReportsEveryWrongTypeAndUnknownKeyAtOnce) {
   XmlRpcValue parameters;
   parameters["map"]["resolution"] = "fine";

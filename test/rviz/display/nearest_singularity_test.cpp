@@ -119,7 +119,8 @@ TEST(NearestSingularity, NoneIsDrawnWhereNoneIsKnown) {
   distances.serial.upper = 0.25;
   const auto nearest = nearest_singularity(*robot, {}, distances, 1.0);
   ASSERT_TRUE(nearest);
-  EXPECT_EQ(words_of(*nearest), "nearest singularity found: serial, 0.25 m");
+  EXPECT_EQ(words_of(*nearest, {}), "nearest singularity found: serial, 0.25 m");
+  EXPECT_EQ(words_of(*nearest, DistanceUnit::of_angles()), "nearest singularity found: serial, 0.251 rad");
 }
 
 }  // namespace

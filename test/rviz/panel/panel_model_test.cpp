@@ -168,6 +168,18 @@ TEST(PanelModel, DrawsDistancesOnOneScale) {
   }
 }
 
+// The state has chords, thresholds are angles.
+TEST(PanelModel, TellsDistancesOfWristsAsAngles) {
+  NodeView view = followed();
+  view.unit = DistanceUnit::of_angles();
+  view.state->parallel_distance = bounds(2.0 * std::sin(0.5), 2.0 * std::sin(0.55), -0.5 * std::cos(0.5));
+  view.thresholds[0] = {0.99, 0.2};
+  const auto gauges = gauges_of(view);
+  EXPECT_EQ(gauges[0].text, "1 rad, shrinks 0.5 rad/s");
+  EXPECT_EQ(gauges[0].tone, Tone::clear) << "though the chord is below the threshold";
+  expect_words(gauges[0].tip, {"1.1 rad", "WARN below 0.99 rad", "STOP below 0.2 rad"});
+}
+
 TEST(PanelModel, ScalesAreOneTwoOrFive) {
   for (const auto& [largest, scale] : std::vector<std::pair<double, double>>{
            {0.7, 1.0}, {1.0, 1.0}, {1.01, 2.0}, {2.5, 5.0}, {6.0, 10.0}, {0.013, 0.02}}) {
@@ -273,9 +285,11 @@ TEST(PanelModel, WritesPoses) {
   pose.position.x = 1.0;
   pose.orientation.w = 1.0;
   EXPECT_EQ(pose_of(pose), "x 1, y 0");
+  EXPECT_EQ(pose_of(pose, DistanceUnit::of_angles()), "not turned") << "a wrist does not move";
   pose.orientation.w = std::cos(0.25);
   pose.orientation.z = std::sin(0.25);
   EXPECT_EQ(pose_of(pose), "x 1, y 0, phi 0.5");
+  EXPECT_EQ(pose_of(pose, DistanceUnit::of_angles()), "phi 0.5");
   pose.orientation.z = 0.0;
   pose.orientation.y = std::sin(0.25);
   pose.position.z = -2.0;
