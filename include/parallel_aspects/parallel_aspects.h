@@ -54,7 +54,6 @@ namespace parallel_aspects {}
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/model/task_space.h"
 #include "parallel_aspects/model/vectors.h"
-#include "parallel_aspects/motion/check_joint_trajectory.h"
 #include "parallel_aspects/motion/check_trajectory.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
 #include "parallel_aspects/motion/escape_direction.h"

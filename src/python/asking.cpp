@@ -245,6 +245,24 @@ void add_remarks(const ask::PlanAnswer& plan, py::dict& answer) {
         py::str(answer["reason"].cast<std::string>() + " " + ask::with_names(remark, ask::plain_name));
 }
 
+void add_remarks(const ask::CheckAnswer& answer, py::dict& result) {
+  std::vector<double> times, parallel;
+  std::vector<Pose> poses;
+  std::vector<TaskVector> q, serial;
+  for (const TrajectorySample& sample : answer.check.samples) {
+    times.push_back(sample.time);
+    parallel.push_back(sample.parallel_index);
+    poses.push_back(sample.pose);
+    q.push_back(sample.q);
+    serial.push_back(sample.serial_indices);
+  }
+  const std::size_t legs = answer.speeds.size();
+  result["samples"] =
+      py::dict(py::arg("times") = array_of(times), py::arg("poses") = array_of(answer.task_space, poses),
+               py::arg("q") = array_of(q, legs), py::arg("parallel_index") = array_of(parallel),
+               py::arg("serial_indices") = array_of(serial, legs));
+}
+
 void warn_of(const std::vector<std::string>& notes) {
   for (const std::string& note : notes)
     if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_PYTHON_ASKING_H
 #define PARALLEL_ASPECTS_PYTHON_ASKING_H
 
+#include "parallel_aspects/ask/check.h"
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
 #include "parallel_aspects/ask/plan.h"
@@ -178,6 +179,8 @@ void warn_of(const std::vector<std::string>& notes);
 
 /// Adds what a plan remarks to its reason, fields as keywords.
 void add_remarks(const ask::PlanAnswer& plan, pybind11::dict& answer);
+/// Adds the samples of a check.
+void add_remarks(const ask::CheckAnswer& answer, pybind11::dict& result);
 template <class Answer>
 void add_remarks(const Answer& /*has none*/, pybind11::dict& /*answer*/) {}
 

@@ -160,11 +160,11 @@ def test_indices_vanish_at_singularities(robot):
 
 def test_trajectories(robot, aspects):
     safe = robot.check([0, 1], [(4.5, 8), (4, 8)], "(+,-)")
-    assert safe.answer == "yes" and safe.violation is None and safe.speeds.shape == (2, 2)
+    assert safe.answer == "yes" and safe.first_violation is None and len(safe.speeds) == 2
     assert safe.samples["q"] == pytest.approx(robot.inverse(safe.samples["poses"], "(+,-)"), abs=1e-6)
     unsafe = robot.check([0, 1], [(4.5, 8), (4.5, -8)], "(+,-)")
-    assert unsafe.answer == "no" and unsafe.violation["kind"] == "parallel_singularity"
-    at = np.array([[4.5, 8 - 16 * unsafe.violation[end]] for end in ("after", "before")])
+    assert unsafe.answer == "no" and unsafe.first_violation["kind"] == "parallel_singularity"
+    at = np.array([[4.5, 8 - 16 * unsafe.first_violation[end]] for end in ("after", "before")])
     assert np.prod(closed_form(at, "(+,-)")[1]) < 0
     joints = robot.check_joints([0, 1], safe.samples["q"][[0, -1]], start_pose=(4.5, 8))
     assert joints.answer == "yes"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tables of docs/command.md are the lists of fields.
+#include "parallel_aspects/ask/check.h"
 #include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
@@ -52,6 +53,7 @@ TEST(DocumentedFields, AreThoseOfTheAnswers) {
   expect_documented<ask::PlanAnswer>();
   expect_documented<ask::ConnectAnswer>();
   expect_documented<ask::ConnectionInMode>();
+  expect_documented<ask::CheckAnswer>();
   expect_documented<ask::ChooseAnswer>();
   expect_documented<ModeOnPath>();
   expect_documented<ModeInRegion>();

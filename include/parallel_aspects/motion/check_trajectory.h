@@ -11,8 +11,10 @@
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/model/vectors.h"
 
+#include <array>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -134,6 +136,61 @@ TrajectoryCheck check_trajectory(const SegmentCertifier& certifier,
 /// Which actuated joints are proved to be faster than their velocity limits, or else which may be, with both
 /// numbers; empty where there is none. Both are empty where all are proved to keep them.
 std::string exceeded_speeds(const Manipulator& manipulator, const TrajectoryCheck& check, bool proved);
+
+/// A point of trajectory_msgs/JointTrajectory: one entry a leg, in the order of the legs.
+struct JointWaypoint {
+  double time = 0.0;         ///< [s]
+  JointVector q;             ///< [rad or m]
+  JointVector velocity;      ///< [rad/s or m/s]; empty where not given
+  JointVector acceleration;  ///< [rad/s^2 or m/s^2]; empty where not given
+};
+
+/// In which assembly mode a trajectory of the actuated joints starts. With neither, in the only one there is.
+struct TrajectoryStart {
+  std::optional<Pose> pose;  ///< about that of the first waypoint
+  int determinant_sign = 0;  ///< of det A, +1 or -1; 0 where it is not stated
+};
+
+/// How far actuated joints may be off those that a stated start asks for: this angle, or this share of the
+/// robot's size.
+inline constexpr double start_tolerance = 0.01;
+
+/// Whether a joint of that leg that is `off` its start [rad or m] is within the tolerance; not so where it is
+/// not a number.
+bool is_near_start(const Manipulator& manipulator, std::size_t leg, double off) noexcept;
+
+/// The sign of det A that alone tells one of several starts from the others; 0 where there is none.
+int telling_sign(const std::vector<PossibleStart>& starts, std::size_t which) noexcept;
+
+/// Every reason why actuated joints cannot be checked, a message each: no waypoint, numbers that are not
+/// finite, beyond 10^12 or not one a leg, times that do not rise by a nanosecond, accelerations without
+/// velocities, a start pose that is off the first waypoint by more than `start_tolerance`.
+Problems problems_of(const Manipulator& manipulator, const std::vector<JointWaypoint>& waypoints,
+                     const TrajectoryStart& start);
+
+/// Checks a trajectory of the actuated joints, between waypoints as the joint_trajectory_controller of
+/// ros_controllers runs: a quintic where both have velocities and accelerations, a cubic where both have
+/// velocities, else straight. The platform is followed from the start by certified continuation. A leg that
+/// passes through B_jj = 0 is a violation. Refused, with the reason, where there are `problems_of`, where the
+/// assembly mode at the start is not known, and where it is below a margin.
+TrajectoryCheck check_trajectory(const SegmentCertifier& certifier,
+                                 const std::vector<JointWaypoint>& waypoints, const TrajectoryStart& start,
+                                 const TrajectoryCheckOptions& options = {});
+
+/// How far a sample of a trajectory is at least from parallel singularities, serial ones and limits of the
+/// actuated joints, as `BoundaryDistanceMeter` measures it, proved [m].
+struct SampleDistances {
+  bool measured = false;  ///< here; else by how far the robot moves to where it was
+  std::array<double, 3> lower{};
+};
+
+/// Of every sample of a check, measured at `points` of them, evenly by time; none for no points.
+std::vector<SampleDistances> distances_on(const std::shared_ptr<const Manipulator>& manipulator,
+                                          const TrajectoryCheck& check, std::size_t points);
+
+/// The least that is proved over all of the continuous time up to `free_until`.
+std::array<double, 3> least_distances(const TrajectoryCheck& check,
+                                      const std::vector<SampleDistances>& distances);
 
 }  // namespace parallel_aspects
 

@@ -5,7 +5,7 @@
 #include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/model/problems.h"
-#include "parallel_aspects/motion/check_joint_trajectory.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 #include "parallel_aspects/motion/plan_path.h"
 
 #include <cstddef>

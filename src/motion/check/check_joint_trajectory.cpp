@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/motion/check_joint_trajectory.h"
-
 #include "aspects/constraints/serial_margin.h"
 #include "interval/path_form.h"
 #include "motion/check/check_text.h"
@@ -11,6 +9,7 @@
 #include "motion/check/start_assembly.h"
 #include "motion/check/trajectory_survey.h"
 #include "motion/check/unassembled.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 #include "tracking/continuation.h"
 
 #include <algorithm>

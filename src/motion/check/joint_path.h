@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_MOTION_CHECK_JOINT_PATH_H
 
 #include "interval/interval.h"
-#include "parallel_aspects/motion/check_joint_trajectory.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 
 #include <array>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "motion/check/sample_distances.h"
-
 #include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 
 #include <algorithm>
 #include <cmath>

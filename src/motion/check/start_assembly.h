@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_MOTION_CHECK_START_ASSEMBLY_H
 #define PARALLEL_ASPECTS_MOTION_CHECK_START_ASSEMBLY_H
 
-#include "parallel_aspects/motion/check_joint_trajectory.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 #include "tracking/pose_certifier.h"
 
 #include <string>

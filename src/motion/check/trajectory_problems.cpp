@@ -2,7 +2,7 @@
 #include "motion/check/check_text.h"
 #include "motion/check/segment_times.h"
 #include "motion/check/start_assembly.h"
-#include "parallel_aspects/motion/check_joint_trajectory.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 
 namespace parallel_aspects {
 namespace {

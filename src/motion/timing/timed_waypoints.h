@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_MOTION_TIMING_TIMED_WAYPOINTS_H
 
 #include "motion/timing/joint_curve.h"
-#include "parallel_aspects/motion/check_joint_trajectory.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 
 #include <vector>
 

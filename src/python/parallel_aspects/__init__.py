@@ -10,7 +10,6 @@ __all__ = [
     "BoundaryDistance",
     "Check",
     "Configuration",
-    "Crossing",
     "DirectSolutions",
     "Distances",
     "InvalidDescription",

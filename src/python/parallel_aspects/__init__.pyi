@@ -7,7 +7,6 @@ from ._api import (
     BoundaryDistance as BoundaryDistance,
     Check as Check,
     Configuration as Configuration,
-    Crossing as Crossing,
     DirectSolutions as DirectSolutions,
     Distances as Distances,
     InvalidDescription as InvalidDescription,

@@ -16,7 +16,6 @@ from ._results import (
     BoundaryDistance,
     Check,
     Configuration,
-    Crossing,
     DirectSolutions,
     Distances,
     Path,
@@ -231,24 +230,27 @@ class Robot:
         effort = {"mode": mode, "tolerance": tolerance, "boxes": boxes}
         return _like(poses, self._core.distances(array("poses", poses), effort, progress))
 
-    def check(self, times: "np.typing.ArrayLike", poses: "np.typing.ArrayLike", mode: Mode) -> Check:
-        """Whether the platform can follow these poses in a working mode at every time, proved: times of shape (n,),
-        rising [s], poses of shape (n, k), straight between them."""
-        return _check(self._core.check(_times(times), array("poses", poses), mode_text(mode)))
+    def check(
+        self, times: "np.typing.ArrayLike", poses: "np.typing.ArrayLike", mode: Mode, *, progress: Progress = None, **options: Any
+    ) -> Check:
+        """Whether the platform can follow these poses in a working mode at every time, proved, as of `aspects check --path`:
+        times of shape (n,), rising [s], poses of shape (n, k), straight between them."""
+        return Check(**self._core.check(_times(times), array("poses", poses), {"mode": mode, **options}, progress))
 
     def check_joints(
         self,
         times: "np.typing.ArrayLike",
         q: "np.typing.ArrayLike",
         start_pose: "Optional[np.typing.ArrayLike]" = None,
-        start_sign: int = 0,
-        pass_serial: bool = False,
+        start_sign: Optional[str] = None,
+        *,
+        progress: Progress = None,
+        **options: Any,
     ) -> Check:
-        """Whether the actuated joints can run through these values at every time, proved: times of shape (n,), q of shape
-        (n, legs), straight between them. The start is told by its pose, or by the sign of det A there, where several
-        are possible. pass_serial: legs may change posture."""
-        pose = None if start_pose is None else array("start_pose", start_pose)
-        return _check(self._core.check_joints(_times(times), array("q", q), pose, start_sign, pass_serial))
+        """Whether the actuated joints can run through these values at every time, proved, as of `aspects check --trajectory`:
+        times of shape (n,), q of shape (n, legs), straight between them."""
+        keywords = {"start_pose": start_pose, "start_sign": start_sign, **options}
+        return Check(**self._core.check_joints(_times(times), array("q", q), keywords, progress))
 
     def choose(
         self,
@@ -360,6 +362,8 @@ class Robot:
 
 documented(Robot.plan, _core.plan_question())
 documented(Robot.connect, _core.connect_question())
+documented(Robot.check, _core.check_question())
+documented(Robot.check_joints, _core.check_question())
 documented(Robot.choose, _core.choose_question())
 documented(Robot.distance, _core.distance_question())
 documented(Robot.workspace, _core.workspace_question())
@@ -385,8 +389,3 @@ def _times(times: "np.typing.ArrayLike") -> List[float]:
 def _like(poses: "np.typing.ArrayLike", rows: np.ndarray) -> np.ndarray:
     """The one row where `poses` is one pose."""
     return rows[0] if np.ndim(poses) == 1 else rows
-
-
-def _check(answer: Dict[str, Any]) -> Check:
-    answer["crossings"] = tuple(Crossing(**crossing) for crossing in answer["crossings"])
-    return Check(**answer)

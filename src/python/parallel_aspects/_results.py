@@ -3,7 +3,7 @@
 order of `Robot.coordinates`; a joint vector has shape (legs,), in the order of `Robot.legs`."""
 from dataclasses import dataclass
 from types import SimpleNamespace
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -69,31 +69,14 @@ def distances_of(answer: Dict[str, Any], mode: Any) -> "Union[Distances, Tuple[D
     return found if mode is None else found[0]
 
 
-@dataclass(frozen=True, eq=False)
-class Crossing:
-    """A singularity that a trajectory passes."""
+class Check(SimpleNamespace):
+    """What is proved of a trajectory.
 
-    kind: str  # "parallel_singularity" or "serial_singularity"
-    leg: Optional[str]
-    after: float  # later than this [s], proved
-    before: float  # passed by this time [s], proved
-    mode: Optional[str]  # that it goes on in
-    determinant_sign: int  # that it goes on with; 0 where not known
+    samples: `times` (n,), `poses` (n, k), `q` (n, legs), `parallel_index` (n,) and `serial_indices` (n, legs).
+    """
 
 
-@dataclass(frozen=True, eq=False)
-class Check:
-    """What is proved of a trajectory."""
-
-    answer: str  # "yes": safe at every time, proved; "no", proved; or "unknown"
-    reason: str
-    free_until: float  # proved free from the start to here [s]
-    violation: Optional[Dict[str, Any]]  # the first: "kind", "leg", "constraint", "after" and "before" [s]
-    crossings: Tuple[Crossing, ...]
-    least_parallel_index: float  # of samples, up to free_until; 0 at parallel singularities, 1 at most
-    least_serial_index: float  # likewise, of all legs
-    speeds: np.ndarray  # of each actuated joint: reached at least, and never exceeded [rad/s or m/s], (legs, 2)
-    samples: Dict[str, np.ndarray]  # "times" (n,), "poses" (n, k), "q" (n, legs), "parallel_index" (n,), "serial_indices" (n, legs)
+documented(Check, _core.check_answer())
 
 
 class Path(SimpleNamespace):

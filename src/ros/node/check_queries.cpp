@@ -3,9 +3,9 @@
 
 #include "model/number_text.h"
 #include "model/spherical_links.h"
-#include "motion/check/sample_distances.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 #include "ros/joint_states/joint_sample.h"
 #include "urdf/description/nearest_name.h"
 

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ROS_NODE_CHECK_QUERIES_H
 
 #include "parallel_aspects/aspects/segment_certifier.h"
-#include "parallel_aspects/motion/check_joint_trajectory.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 #include "ros/node/queries.h"
 
 #include <parallel_aspects/CheckTrajectory.h>

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_MOTION_REPORT_CHECK_TABLE_H
 #define PARALLEL_ASPECTS_TOOLS_MOTION_REPORT_CHECK_TABLE_H
 
-#include "motion/check/sample_distances.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 
 #include <array>
 #include <string>

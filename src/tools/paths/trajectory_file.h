@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_TOOLS_PATHS_TRAJECTORY_FILE_H
 
 #include "parallel_aspects/model/task_space.h"
-#include "parallel_aspects/motion/check_joint_trajectory.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 #include "tools/subcommands.h"
 
 #include <string>

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_PATHS_TRAJECTORY_YAML_H
 #define PARALLEL_ASPECTS_TOOLS_PATHS_TRAJECTORY_YAML_H
 
-#include "parallel_aspects/motion/check_joint_trajectory.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 
 #include <string>
 #include <vector>

@@ -7,6 +7,8 @@
 namespace parallel_aspects::tools {
 
 std::string option_name(const std::string& field) {
+  if (field == "start_pose" || field == "start_sign")  // of a trajectory, which has no goal
+    return field == "start_pose" ? "--start-pose" : "--start-sign";
   std::string words = field;
   for (const auto& [end, word] : {std::pair{"start", "from"}, std::pair{"goal", "to"}}) {
     const std::string name = end;

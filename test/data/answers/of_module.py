@@ -34,7 +34,7 @@ five_bar.distances([(4.5, 8), (4.4, 8)], "(-,+)", tolerance=0.1, boxes=50)
 five_bar.check([0, 1], [(4.5, 8), (4, 8)], "(+,-)").answer
 five_bar.check([0, 1], [(4.5, 8), (4.5, -8)], "(+,-)")
 five_bar.check_joints([0, 1], [(0.4835, 1.0279), (0.6, 1.1)], start_pose=(4.5, 8)).speeds
-five_bar.check_joints([0, 1], [(0.4835, 1.0279), (3.2, 4.5)], start_sign=1, pass_serial=True).reason
+five_bar.check_joints([0, 1], [(0.4835, 1.0279), (3.2, 4.5)], start_sign="+", policy="serial").reason
 five_bar.choose([0, 1], [(4.5, 8), (4, 8)], map=aspects)
 five_bar.choose([0, 1], [(4.5, 8), (4, 8)], prefer="travel")
 five_bar.choose_region({"x": (4, 5), "y": (7, 8)})

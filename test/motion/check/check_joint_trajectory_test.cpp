@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/motion/check_joint_trajectory.h"
-
 #include "motion/check/newton_platform.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 
 #include <gtest/gtest.h>
 

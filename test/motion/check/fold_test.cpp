@@ -2,7 +2,7 @@
 #include "motion/check/fold.h"
 
 #include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/motion/check_joint_trajectory.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 #include "tracking/continuation.h"
 
 #include <gtest/gtest.h>

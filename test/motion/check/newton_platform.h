@@ -4,7 +4,7 @@
 #ifndef PARALLEL_ASPECTS_TEST_MOTION_CHECK_NEWTON_PLATFORM_H
 #define PARALLEL_ASPECTS_TEST_MOTION_CHECK_NEWTON_PLATFORM_H
 
-#include "parallel_aspects/motion/check_joint_trajectory.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 
 #include <Eigen/LU>
 
