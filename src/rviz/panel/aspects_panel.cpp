@@ -158,7 +158,7 @@ void AspectsPanel::add_map_row(QVBoxLayout& layout) {
   layout.addWidget(last_answer_);
   connect(map_button_, &QPushButton::clicked, this, [this] {
     if (!link_) return;
-    if (map_line_of(link_->view()).runs)
+    if (map_button_cancels_)  // what it says, also where the map has ended since it was drawn
       link_->cancel_map();
     else
       link_->compute_map();
@@ -234,6 +234,7 @@ void AspectsPanel::update_map(const NodeView& view) {
   map_progress_->setVisible(line.runs);
   map_progress_->setValue(static_cast<int>(std::lround(100.0 * line.share)));
   const Permission permission = line.runs ? may_cancel_map(view) : may_compute_map(view);
+  map_button_cancels_ = line.runs;
   map_button_->setText(line.runs ? "Cancel" : "Compute map anew");
   map_button_->setEnabled(static_cast<bool>(permission));
   map_button_->setToolTip(QString::fromStdString(

@@ -67,6 +67,7 @@ class AspectsPanel : public rviz::Panel {
   QLabel* map_text_;
   QProgressBar* map_progress_;
   QPushButton* map_button_;
+  bool map_button_cancels_ = false;
   QLabel* last_answer_;
   QTimer* timer_;
   QWidget* content_;

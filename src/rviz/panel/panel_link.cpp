@@ -158,6 +158,7 @@ NodeView PanelLink::view() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   NodeView view = view_;
   view.connected = connected();
+  view.hears = hears(compute_goal) && hears(compute_cancel);
   view.silence = (ros::WallTime::now() - heard_).toSec();
   return view;
 }
@@ -174,6 +175,11 @@ PlanView PanelLink::plan() const {
 
 bool PanelLink::connected() const {
   return ping_.answers() && !subscribers_.empty() && subscribers_.front().getNumPublishers() > 0;
+}
+
+bool PanelLink::hears(const char* topic) const {
+  const auto publisher = publishers_.find(topic);
+  return publisher != publishers_.end() && publisher->second.getNumSubscribers() > 0;
 }
 
 ProbeView PanelLink::probe() const {

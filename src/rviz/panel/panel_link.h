@@ -62,7 +62,8 @@ class PanelLink {
   void on_progress(const ProgressEvent& event);
   void on_plan_result(const PlanPathActionResult& result);
   void on_plan_feedback(const PlanPathActionFeedback& feedback);
-  bool connected() const;  // under the lock, as the next
+  bool connected() const;  // under the lock, as the next two
+  bool hears(const char* topic) const;
   void start_anew();
   void ask_aspects();
   void ask_index(const AspectSummary& aspect, const AspectList& list);

@@ -120,11 +120,12 @@ DomainLine line_of_regions(const UniquenessState& domains) {
               "the pose."};
 }
 
-const char* name_of(Hazard hazard) {
+/// As a title, where "limit" alone would say too little.
+const char* title_of(Hazard hazard) {
   switch (hazard) {
-    case Hazard::parallel:
+    case Hazard::parallel_singularity:
       return "Parallel singularity";
-    case Hazard::serial:
+    case Hazard::serial_singularity:
       return "Serial singularity";
     case Hazard::limit:
       break;
@@ -134,9 +135,9 @@ const char* name_of(Hazard hazard) {
 
 const DistanceBounds& bounds_of(const AspectState& state, Hazard hazard) {
   switch (hazard) {
-    case Hazard::parallel:
+    case Hazard::parallel_singularity:
       return state.parallel_distance;
-    case Hazard::serial:
+    case Hazard::serial_singularity:
       return state.serial_distance;
     case Hazard::limit:
       break;
@@ -209,7 +210,7 @@ DistanceGauge gauge_of(const NodeView& view, Hazard hazard, double scale) {
   if (view.connected && view.state && view.state->status.code == Status::OK)
     bounds = told_bounds(bounds_of(*view.state, hazard), view.unit);
   DistanceGauge gauge;
-  gauge.name = name_of(hazard);
+  gauge.name = title_of(hazard);
   gauge.tone = tone_of(bounds, thresholds);
   const DistanceBounds drawn = drawn_bounds(bounds);
   gauge.lower = share_of(drawn.lower, scale);
@@ -317,8 +318,8 @@ double scale_of(const NodeView& view) {
 
 std::array<DistanceGauge, 3> gauges_of(const NodeView& view) {
   const double scale = scale_of(view);
-  return {gauge_of(view, Hazard::parallel, scale), gauge_of(view, Hazard::serial, scale),
-          gauge_of(view, Hazard::limit, scale)};
+  return {gauge_of(view, Hazard::parallel_singularity, scale),
+          gauge_of(view, Hazard::serial_singularity, scale), gauge_of(view, Hazard::limit, scale)};
 }
 
 std::vector<EventLine> events_of(const NodeView& view) {
@@ -366,6 +367,7 @@ Permission may_choose(const NodeView& view) {
 Permission may_compute_map(const NodeView& view) {
   if (const Permission asked = may_ask(view); !asked) return asked;
   if (view.read_only) return {"The node is read-only (~read_only): it computes no other map."};
+  if (!view.hears) return {"Waits for " + view.node + "/compute_map."};
   return {};
 }
 

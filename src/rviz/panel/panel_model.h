@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_RVIZ_PANEL_PANEL_MODEL_H
 
 #include "model/spherical_links.h"
+#include "parallel_aspects/tracking/thresholds.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectTransition.h>
@@ -26,14 +27,12 @@ struct LevelThresholds {
   double stop = 0.0;
 };
 
-/// The three kinds of hazards, in the order in which they are shown.
-enum class Hazard : std::uint8_t { parallel, serial, limit };
-
 /// What was last heard of one node. What the panel shows is made of this alone.
 struct NodeView {
   std::string node;            ///< its name; empty where none is chosen
   bool master_answers = true;  ///< whether there is a ROS master
   bool connected = false;      ///< whether the node publishes its state
+  bool hears = false;          ///< whether it listens to goals for maps, and to what cancels them
   bool read_only = false;      ///< whether it refuses what changes it
   double silence = 0.0;        ///< since its last state [s]
   std::uint64_t start = 0;     ///< counts the times that the node started anew or loaded another robot

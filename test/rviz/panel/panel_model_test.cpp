@@ -29,7 +29,7 @@ DistanceBounds bounds(double lower, double upper, double speed) {
 NodeView followed() {
   NodeView view;
   view.node = "/left/aspect_node";
-  view.connected = true;
+  view.connected = view.hears = true;
   view.state.emplace();
   view.state->level = AspectState::CLEAR;
   view.state->working_mode = {1, -1};
@@ -250,6 +250,15 @@ TEST(PanelModel, ReadOnlyRefusesWithItsReason) {
   view.read_only = true;
   for (const Permission& each : {may_choose(view), may_compute_map(view), may_cancel_map(view)})
     expect_words(each.refusal, {"read-only", "~read_only"});
+  EXPECT_TRUE(may_ask(view));
+}
+
+TEST(PanelModel, WaitsUntilGoalsAreHeard) {
+  NodeView view = followed();
+  EXPECT_TRUE(may_compute_map(view));
+  view.hears = false;
+  expect_words(may_compute_map(view).refusal, {"Waits for /left/aspect_node/compute_map"});
+  EXPECT_FALSE(may_cancel_map(view));
   EXPECT_TRUE(may_ask(view));
 }
 
