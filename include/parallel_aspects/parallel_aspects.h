@@ -13,6 +13,7 @@
 /// rounding.
 namespace parallel_aspects {}
 
+#include "parallel_aspects/ask/check.h"
 #include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t max_shards = std::size_t{1} << 18;
 
 /// The modes whose aspects are no images of others.
-std::vector<WorkingMode> find_images(const MapPlan& all, std::vector<ModeImage>& images) {
+std::vector<WorkingMode> find_images(const MapPlan& all, std::vector<ComputedMode>& images) {
   const std::vector<ModeSource> sources = find_mode_sources(all.symmetries, all.modes.size());
   std::vector<WorkingMode> computed;
   std::vector<std::size_t> index(sources.size());

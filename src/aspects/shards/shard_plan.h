@@ -14,7 +14,7 @@
 namespace parallel_aspects {
 
 /// Where the aspects of a working mode are taken from.
-struct ModeImage {
+struct ComputedMode {
   std::size_t computed = 0;  ///< index of the mode that is computed
   int sign = 1;              ///< that its signs of det A are multiplied by
 };
@@ -23,12 +23,12 @@ struct ModeImage {
 /// working modes that are computed. The division depends on the robot and the options alone, not on who
 /// computes what.
 struct ShardPlan {
-  MapPlan map;                     ///< of the modes that are computed
-  std::vector<WorkingMode> modes;  ///< all that are asked for
-  std::vector<ModeImage> images;   ///< of each of these
-  std::uint32_t level = 0;         ///< of the shards in the tree
-  unsigned threads = 1;            ///< of a process; 0 for one a core
-  std::string key;                 ///< what the shards are of, as text
+  MapPlan map;                       ///< of the modes that are computed
+  std::vector<WorkingMode> modes;    ///< all that are asked for
+  std::vector<ComputedMode> images;  ///< of each of these
+  std::uint32_t level = 0;           ///< of the shards in the tree
+  unsigned threads = 1;              ///< of a process; 0 for one a core
+  std::string key;                   ///< what the shards are of, as text
 
   std::size_t count() const noexcept;
   NodePlace place(std::size_t shard) const noexcept;

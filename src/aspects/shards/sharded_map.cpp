@@ -82,7 +82,7 @@ void add_sign(ShardedMap& map, const WorkingMode& mode, int sign, const MergedSi
 ShardedMap assembled(const ShardPlan& plan, const std::vector<MergedSign>& merged) {
   ShardedMap map;
   for (std::size_t mode = 0; mode < plan.modes.size(); ++mode) {
-    const ModeImage& image = plan.images[mode];
+    const ComputedMode& image = plan.images[mode];
     for (const int sign : {1, -1})
       add_sign(map, plan.modes[mode], sign, merged[part_of(image.computed, sign * image.sign)]);
     map.undecided.add(merged[part_of(image.computed, 1)].undecided);

@@ -14,7 +14,7 @@ bool look_the_same(const PlannedPath& a, const PlannedPath& b) {
 
 }  // namespace
 
-void PathChoice::offer(PlannedPath path) {
+void BestPath::offer(PlannedPath path) {
   if (!path || (best_ && look_the_same(path, best_))) return;
   const Cost its_cost = cost(path);
   if (best_ && !(its_cost < best_cost_)) return;
@@ -22,7 +22,7 @@ void PathChoice::offer(PlannedPath path) {
   best_cost_ = its_cost;
 }
 
-PathChoice::Cost PathChoice::cost(const PlannedPath& path) const {
+BestPath::Cost BestPath::cost(const PlannedPath& path) const {
   const double length = path.length + robot_.characteristic_length() * path.turned;
   switch (wish_.prefer) {
     case PathPreference::shortest:

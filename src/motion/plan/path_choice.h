@@ -12,10 +12,10 @@
 namespace parallel_aspects {
 
 /// Keeps the path that is preferred of those that are offered.
-class PathChoice {
+class BestPath {
  public:
   /// Both outlive it.
-  PathChoice(const Manipulator& robot, const PathWish& wish) : robot_(robot), wish_(wish) {}
+  BestPath(const Manipulator& robot, const PathWish& wish) : robot_(robot), wish_(wish) {}
 
   /// Of another path than one that is found nothing is kept.
   void offer(PlannedPath path);

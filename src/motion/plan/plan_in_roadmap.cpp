@@ -72,7 +72,7 @@ class RoadmapPlanner {
 
   /// A thorough search is one in few modes, and is content with one path.
   PlannedPath stay(const PathEnd& from, const PathEnd& to, SearchEffort effort) {
-    PathChoice choice(robot_, wish_);
+    BestPath choice(robot_, wish_);
     PlannedPath none = without_path(SameAspect::no, "The ends are in different working modes.");
     bool is_first = true;
     std::size_t searched = 0;
@@ -95,7 +95,7 @@ class RoadmapPlanner {
     return choice.has_path() ? choice.take() : none;
   }
 
-  void offer(const std::vector<Pose>& found, const WorkingMode& mode, PathChoice& choice) const {
+  void offer(const std::vector<Pose>& found, const WorkingMode& mode, BestPath& choice) const {
     const bool is_best = wish_.prefer == PathPreference::shortest && found.size() == 2;
     for (const PathShape& shape : is_best ? std::vector<PathShape>{short_shape} : shapes_for(wish_.prefer))
       for (const std::vector<Pose>& poses : shaped(found, mode, shape)) {
@@ -198,7 +198,7 @@ class RoadmapPlanner {
 
   /// The first of the pairs between which there is a path.
   PlannedPath follow_some(const std::vector<ModePair>& pairs, std::size_t most_gates) const {
-    PathChoice choice(robot_, wish_);
+    BestPath choice(robot_, wish_);
     for (std::size_t i = 0; i < std::min(most_mode_pairs, pairs.size()) && !choice.has_path(); ++i) {
       if (pairs[i].legs.empty()) continue;  // that is what staying has tried
       for (const PathShape& shape : shapes_for(wish_.prefer)) {

@@ -67,7 +67,7 @@ class PathPlanner::Search {
                      goals = find_aspects(map_, paths_.segments(), to);
     if (starts.found.empty()) return not_in_aspect("start", starts);
     if (goals.found.empty()) return not_in_aspect("goal", goals);
-    PathChoice choice(*map_.manipulator(), wish_);
+    BestPath choice(*map_.manipulator(), wish_);
     paths_.forget_wide_paths();
     for (const PathShape& shape : shapes_for(wish_.prefer)) {
       shape_ = shape;
@@ -93,7 +93,7 @@ class PathPlanner::Search {
   }
 
   PlannedPath stay(const EndAspects& starts, const EndAspects& goals) {
-    PathChoice best(*map_.manipulator(), wish_);
+    BestPath best(*map_.manipulator(), wish_);
     bool any_common = false;
     GateRoute direct;
     direct.stretches.emplace_back();
