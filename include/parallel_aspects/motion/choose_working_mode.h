@@ -214,9 +214,6 @@ void ask_map(const AspectMap& map, const PoseInMode& first, const PoseInMode& se
 /// "clear", "travel" or "fast".
 const char* name(Preference preference) noexcept;
 
-/// The preference with this name; nothing where there is none.
-std::optional<Preference> preference_named(const std::string& name);
-
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_MOTION_CHOOSE_WORKING_MODE_H

@@ -7,15 +7,12 @@
 #include "parallel_aspects/distance/boundary_distances.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
-
-constexpr std::array<Preference, 3> all_preferences{Preference::clear, Preference::travel, Preference::fast};
 
 bool has_velocity_limit(const Manipulator& manipulator) {
   return std::any_of(manipulator.legs().begin(), manipulator.legs().end(),
@@ -174,12 +171,6 @@ const char* name(Preference preference) noexcept {
       break;
   }
   return "fast";
-}
-
-std::optional<Preference> preference_named(const std::string& name) {
-  for (const Preference preference : all_preferences)
-    if (name == parallel_aspects::name(preference)) return preference;
-  return std::nullopt;
 }
 
 }  // namespace parallel_aspects

@@ -250,12 +250,6 @@ TEST_F(FiveBarPath, BadInputIsSaidInOneSentenceEach) {
   EXPECT_EQ(problems_of(*robot, path, Preference::fast).size(), 0U);
 }
 
-TEST(PreferenceNames, AreReadAsTheyAreWritten) {
-  for (const Preference each : {Preference::clear, Preference::travel, Preference::fast})
-    EXPECT_EQ(preference_named(name(each)), each);
-  EXPECT_FALSE(preference_named("best"));
-}
-
 TEST(FastWithoutLimits, IsRefused) {
   ManipulatorDescription description = test::shipped("five_bar")->manipulator()->description();
   for (Leg& leg : description.legs) leg.limits.velocity = std::numeric_limits<double>::infinity();
