@@ -80,6 +80,12 @@ TrajectoryCheck checked(const Session& session, const CheckQuestion& question, c
 
 }  // namespace
 
+bool is_whole(const CheckQuestion& question) {
+  ProblemList problems;
+  need(question, problems);
+  return problems.empty();
+}
+
 std::optional<NamedValues> CheckAnswer::least_distance() const {
   if (distances.empty()) return std::nullopt;
   const std::array<double, 3> least = least_distances(check, distances);

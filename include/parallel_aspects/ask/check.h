@@ -73,6 +73,9 @@ void describe(Visit& visit, CheckQuestion& question) {
       question.distances);
 }
 
+/// Whether all of it is there and goes together, whatever the waypoints are; else `answer` says why not.
+bool is_whole(const CheckQuestion& question);
+
 /// How fast an actuated joint is.
 struct JointSpeed {
   std::string joint;    ///< its name

@@ -109,14 +109,14 @@ ask::CheckQuestion read(const CheckArguments& arguments, const Manipulator& robo
   Problems problems;
   auto question = read_question<ask::CheckQuestion>(robot, arguments.texts, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  const bool both = !arguments.path.empty() && !arguments.trajectory.empty();  // is refused unread
-  if (!arguments.path.empty())
-    question.path =
-        both ? std::vector<PoseWaypoint>() : read_pose_waypoints(robot.task_space(), arguments.path);
-  if (!arguments.trajectory.empty())
-    question.trajectory =
-        both ? std::vector<JointWaypoint>() : read_joint_waypoints(robot, arguments.trajectory);
   question.keep_samples = !arguments.csv_file.empty() || !arguments.picture_file.empty();
+  if (!arguments.path.empty()) question.path.emplace();
+  if (!arguments.trajectory.empty()) question.trajectory.emplace();
+  if (!is_whole(question)) return question;  // is refused unread
+  if (question.path)
+    question.path = read_pose_waypoints(robot.task_space(), arguments.path);
+  else
+    question.trajectory = read_joint_waypoints(robot, arguments.trajectory);
   return question;
 }
 
