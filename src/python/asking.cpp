@@ -184,12 +184,6 @@ py::object DictWriter::object_of_value(const std::vector<HeldCoordinate>& values
   return array_of(numbers);
 }
 
-py::object DictWriter::object_of_value(const ask::NamedValues& values) const {
-  py::dict result;
-  for (const auto& [name, value] : values) result[py::str(name)] = value;
-  return std::move(result);
-}
-
 py::object DictWriter::object_of_value(const std::vector<ask::NamedRange>& ranges) const {
   py::dict result;
   for (const ask::NamedRange& each : ranges)

@@ -118,6 +118,13 @@ class DictWriter {
     for (const Item& each : list) result.append(object_of_value(each));
     return std::move(result);
   }
+  /// A dictionary.
+  template <class Value>
+  pybind11::object object_of_value(const std::vector<std::pair<std::string, Value>>& values) const {
+    pybind11::dict result;
+    for (const auto& [name, value] : values) result[pybind11::str(name)] = object_of_value(value);
+    return std::move(result);
+  }
   /// Of a struct that has a list of fields of its own.
   template <class Described, class = std::enable_if_t<std::is_class_v<Described>>>
   pybind11::object object_of_value(const Described& described) const {
@@ -136,7 +143,6 @@ class DictWriter {
   }
   pybind11::object object_of_value(const std::vector<double>& values) const { return array_of(values); }
   pybind11::object object_of_value(const std::vector<HeldCoordinate>& values) const;
-  pybind11::object object_of_value(const ask::NamedValues& values) const;
   pybind11::object object_of_value(const std::vector<ask::NamedRange>& ranges) const;
   pybind11::object object_of_value(const WorkingMode& mode) const;
   pybind11::object object_of_value(const Pose& pose) const;

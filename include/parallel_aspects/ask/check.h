@@ -8,8 +8,10 @@
 #include "parallel_aspects/motion/check_trajectory.h"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -23,6 +25,14 @@ void describe(Visit& visit, const TrajectoryCrossing& crossing) {
   visit({"before", "s", "passed by this time, proved"}, crossing.before);
   visit({"working_mode", "", "that it goes on in"}, crossing.mode);
   visit({"determinant_sign", "", "that it goes on with"}, crossing.determinant_sign);
+}
+
+/// Of an index.
+template <class Visit>
+void describe(Visit& visit, const SampledLeast& least) {
+  visit({"value", "", "the least of the samples"}, least.value);
+  visit({"time", "s", "when"}, least.time);
+  visit({"leg", "", "whose, where it is by leg"}, ask::leg_or_none(least.leg));
 }
 
 namespace ask {
@@ -76,6 +86,22 @@ void describe(Visit& visit, CheckQuestion& question) {
 /// Whether all of it is there and goes together, whatever the waypoints are; else `answer` says why not.
 bool is_whole(const CheckQuestion& question);
 
+/// Values by the names of the actuated joints, as messages and files have them, in the order of the legs.
+class JointColumns {
+ public:
+  /// Each joint is named once, and nothing else; problems begin with `what`.
+  JointColumns(const Manipulator& robot, const std::vector<std::string>& names, std::string what,
+               Problems& problems);
+
+  /// Empty for no values. A problem where these are not one for each name.
+  JointVector ordered(const std::vector<double>& values, const std::string& where, Problems& problems) const;
+
+ private:
+  std::string what_;
+  std::size_t count_;                 // of the names
+  std::vector<std::size_t> columns_;  // of each leg
+};
+
 /// How fast an actuated joint is.
 struct JointSpeed {
   std::string joint;    ///< its name
@@ -95,32 +121,6 @@ void describe(Visit& visit, const JointSpeed& joint) {
         std::string(joint.speed.value > joint.limit    ? "yes"
                     : joint.speed.bound <= joint.limit ? "no"
                                                        : "unknown"));
-}
-
-/// The least index of a kind.
-struct LeastIndex {
-  SampledLeast least;   ///< see there
-  bool serial = false;  ///< whether it is of a leg
-};
-
-/// Its fields.
-template <class Visit>
-void describe(Visit& visit, const LeastIndex& index) {
-  visit({"value", "", "the least of the samples"}, index.least.value);
-  visit({"time", "s", "when"}, index.least.time);
-  visit({"leg", "", "whose, where serial"}, only_if(index.serial, LegIndex{index.least.leg}));
-}
-
-/// Both.
-struct LeastIndices {
-  LeastIndex parallel, serial;  ///< of the samples
-};
-
-/// Their fields.
-template <class Visit>
-void describe(Visit& visit, const LeastIndices& indices) {
-  visit({"parallel", "", "0 at parallel singularities"}, indices.parallel);
-  visit({"serial", "", "of all legs"}, indices.serial);
 }
 
 /// What is known of the trajectory.
@@ -170,7 +170,8 @@ void describe(Visit& visit, const CheckAnswer& answer) {
          "`parallel` and `serial`, each `value` and `time`, and the `leg`: the least of 200 samples or more "
          "up to `free_until`, not proved ([margins](constraints.md#margins-from-singularities) says which "
          "indices)"},
-        LeastIndices{{check.parallel_index}, {check.serial_index, true}});
+        std::vector<std::pair<std::string, SampledLeast>>{{"parallel", check.parallel_index},
+                                                          {"serial", check.serial_index}});
   visit({"speeds", "",
          "of each actuated joint: `joint`, `fastest`, a speed that it is proved to reach up to `free_until` "
          "[rad/s or m/s], about at `time`, `never_faster`, proved (infinite, in JSON null, where it is not "

@@ -85,8 +85,9 @@ enum class ProblemKind {
   told,      ///< a sentence of a layer below, which names no field
 };
 
-/// Why a question is refused. Fields stand in braces, as "{policy} any needs a map": each face writes them in
-/// its own way, as the last step, and nobody reads the text.
+/// Why a question is refused. Fields stand in braces, as "{policy} any needs a map", where a face writes the
+/// value in its own way, too, with it, as "{start_sign +}": each face writes them in its own way, as the last
+/// step, and nobody reads the text.
 struct Problem {
   ProblemKind kind = ProblemKind::told;  ///< see there
   std::string field;                     ///< at fault; empty where it is no single one

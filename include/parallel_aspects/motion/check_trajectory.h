@@ -61,7 +61,7 @@ struct TrajectoryCrossing {
 struct SampledLeast {
   double value = std::numeric_limits<double>::infinity();  ///< infinite where nothing was sampled
   double time = 0.0;                                       ///< [s]
-  std::size_t leg = 0;                                     ///< whose it is, of a value by leg
+  std::optional<std::size_t> leg;                          ///< whose it is, of a value by leg
 };
 
 /// The fastest motion of an actuated joint over all of the continuous time.

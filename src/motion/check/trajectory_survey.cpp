@@ -5,11 +5,12 @@
 #include "parallel_aspects/singularity/indices.h"
 
 #include <cmath>
+#include <optional>
 
 namespace parallel_aspects {
 namespace {
 
-void lower(SampledLeast& least, double value, double time, std::size_t leg) {
+void lower(SampledLeast& least, double value, double time, std::optional<std::size_t> leg) {
   if (value < least.value) least = {value, time, leg};
 }
 
@@ -30,7 +31,7 @@ TrajectorySurvey::TrajectorySurvey(const Manipulator& manipulator, bool keep_sam
 void TrajectorySurvey::add(double time, const Pose& pose, const JointVector& q, double radius) {
   const double parallel = parallel_index(manipulator_, pose, q);
   const TaskVector serial = serial_indices(manipulator_, pose, q);
-  lower(check_.parallel_index, parallel, time, 0);
+  lower(check_.parallel_index, parallel, time, std::nullopt);
   for (std::size_t j = 0; j < manipulator_.leg_count(); ++j)
     lower(check_.serial_index, serial[static_cast<Eigen::Index>(j)], time, j);
   if (!keep_samples_) return;

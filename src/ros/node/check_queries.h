@@ -2,16 +2,12 @@
 #ifndef PARALLEL_ASPECTS_ROS_NODE_CHECK_QUERIES_H
 #define PARALLEL_ASPECTS_ROS_NODE_CHECK_QUERIES_H
 
-#include "parallel_aspects/aspects/segment_certifier.h"
-#include "parallel_aspects/motion/check_trajectory.h"
+#include "parallel_aspects/ask/check.h"
 #include "ros/node/queries.h"
 
 #include <parallel_aspects/CheckTrajectory.h>
 
-#include <cstddef>
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace parallel_aspects {
 
@@ -25,25 +21,13 @@ class CheckQueries {
   CheckTrajectory::Response answer(const CheckTrajectory::Request& request) const;
 
  private:
-  struct Question {
-    Status status;  ///< what keeps it from being asked
-    std::vector<JointWaypoint> joints;
-    TrajectoryStart start;
-    std::vector<PoseWaypoint> poses;
-    WorkingMode mode;
-    TrajectoryCheckOptions options;
-    std::size_t distances = 0;  ///< at how many times
-  };
-
-  TrajectoryCheck check(const Question& question) const;
-  Question read(const CheckTrajectory::Request& request) const;
-  void read_joints(const CheckTrajectory::Request& request, Question& question) const;
-  void read_poses(const CheckTrajectory::Request& request, Question& question) const;
-  void start_joints_now(Question& question) const;
-  void start_poses_now(Question& question) const;
+  Status read(const CheckTrajectory::Request& request, ask::CheckQuestion& question) const;
+  Status read_joints(const CheckTrajectory::Request& request, ask::CheckQuestion& question) const;
+  Status read_poses(const CheckTrajectory::Request& request, ask::CheckQuestion& question) const;
+  Status start_joints_now(ask::CheckQuestion& question) const;
+  Status start_poses_now(ask::CheckQuestion& question) const;
 
   std::shared_ptr<const Manipulator> manipulator_;
-  SegmentCertifier certifier_;
   const RobotMonitor& monitor_;
   PoseTransformer to_base_;
 };

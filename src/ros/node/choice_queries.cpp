@@ -83,18 +83,14 @@ Status ChoiceQueries::read_path(const ChooseWorkingMode::Request& request,
                                 std::vector<PoseWaypoint>& waypoints) const {
   if (!request.times.empty() && request.times.size() != request.poses.size())
     return invalid_request("times must be empty, or have an entry for each of poses.");
-  Status status;
-  for (std::size_t i = 0; i < request.poses.size(); ++i) {
-    geometry_msgs::PoseStamped message;
-    message.header = request.header;
-    message.pose = request.poses[i];
-    Pose pose;
-    const Status read = read_pose(*manipulator_, to_base_, message, "Pose " + std::to_string(i + 1), pose);
-    if (read.code != Status::OK) return read;
-    if (status.message.empty()) status = read;
-    waypoints.push_back({request.times.empty() ? static_cast<double>(i) : request.times[i], pose});
+  std::vector<geometry_msgs::PoseStamped> poses(request.poses.size());
+  std::vector<double> times = request.times;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    poses[i].header = request.header;
+    poses[i].pose = request.poses[i];
+    if (request.times.empty()) times.push_back(static_cast<double>(i));
   }
-  return status;
+  return read_waypoints(*manipulator_, to_base_, poses, times, waypoints);
 }
 
 // One roadmap for all questions, so that the same question gets the same answer.

@@ -25,4 +25,18 @@ Status read_pose(const Manipulator& manipulator, const PoseTransformer& to_base,
                          " m off the motions of the platform; the answer is about its projection.");
 }
 
+Status read_waypoints(const Manipulator& manipulator, const PoseTransformer& to_base,
+                      const std::vector<geometry_msgs::PoseStamped>& poses, const std::vector<double>& times,
+                      std::vector<PoseWaypoint>& waypoints) {
+  Status status;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    Pose pose;
+    const Status read = read_pose(manipulator, to_base, poses[i], "Pose " + std::to_string(i + 1), pose);
+    if (read.code != Status::OK) return read;
+    if (status.message.empty()) status = read;
+    waypoints.push_back({times[i], pose});
+  }
+  return status;
+}
+
 }  // namespace parallel_aspects

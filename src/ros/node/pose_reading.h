@@ -4,6 +4,7 @@
 
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 
 #include <parallel_aspects/Status.h>
 
@@ -11,6 +12,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace parallel_aspects {
 
@@ -22,6 +24,11 @@ using PoseTransformer = std::function<std::optional<geometry_msgs::Pose>(const g
 /// where the platform does not have all of its motion: then its projection.
 Status read_pose(const Manipulator& manipulator, const PoseTransformer& to_base,
                  const geometry_msgs::PoseStamped& message, const std::string& which, Pose& pose);
+
+/// Likewise of several with their times, which are as many.
+Status read_waypoints(const Manipulator& manipulator, const PoseTransformer& to_base,
+                      const std::vector<geometry_msgs::PoseStamped>& poses, const std::vector<double>& times,
+                      std::vector<PoseWaypoint>& waypoints);
 
 }  // namespace parallel_aspects
 

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/paths/trajectory_yaml.h"
 
-#include "urdf/description/nearest_name.h"
+#include "parallel_aspects/ask/check.h"
 #include "urdf/description/yaml_values.h"
 
 #include <yaml-cpp/yaml.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace parallel_aspects::tools {
 namespace {
-
-using Names = std::vector<std::string>;
 
 /// The one message of a text; messages end with a line of three dashes.
 YAML::Node only_message(const std::string& file, const std::string& text, Problems& problems) {
@@ -30,7 +27,7 @@ YAML::Node only_message(const std::string& file, const std::string& text, Proble
 class MessageReader {
  public:
   MessageReader(const Manipulator& manipulator, const std::string& file, Problems& problems)
-      : manipulator_(manipulator), values_(file, problems), problems_(problems) {}
+      : manipulator_(manipulator), file_(file), values_(file, problems), problems_(problems) {}
 
   std::vector<JointWaypoint> read(const YAML::Node& message) {
     if (!message.IsMap() || !message["joint_names"].IsSequence() || !message["points"].IsSequence()) {
@@ -38,42 +35,28 @@ class MessageReader {
       return {};
     }
     values_.check_keys(message, {"header", "joint_names", "points"}, "the message");
-    for (const YAML::Node& name : message["joint_names"]) names_.push_back(name.as<std::string>());
-    find_columns();
+    const ask::JointColumns columns(manipulator_, message["joint_names"].as<std::vector<std::string>>(),
+                                    file_, problems_);
     std::vector<JointWaypoint> waypoints;
     if (!problems_.empty()) return waypoints;
     for (const YAML::Node& point : message["points"]) {
-      waypoints.push_back(waypoint(point, "points[" + std::to_string(waypoints.size()) + "]"));
+      waypoints.push_back(waypoint(columns, point, "points[" + std::to_string(waypoints.size()) + "]"));
       if (!problems_.empty()) break;  // what is wrong with one point mostly is with all
     }
     return waypoints;
   }
 
  private:
-  void find_columns() {
-    std::vector<std::string> actuated;
-    for (const Leg& leg : manipulator_.legs()) {
-      actuated.push_back(leg.actuated_joint);
-      const auto found = std::find(names_.begin(), names_.end(), leg.actuated_joint);
-      columns_.push_back(static_cast<std::size_t>(found - names_.begin()));
-      if (std::count(names_.begin(), names_.end(), leg.actuated_joint) != 1)
-        values_.problem("does not have the joint '" + leg.actuated_joint +
-                        "' once; name every actuated joint.");
-    }
-    for (std::size_t i = 0; i < names_.size(); ++i)
-      if (std::count(columns_.begin(), columns_.end(), i) == 0)
-        values_.problem("has the unknown joint '" + names_[i] + "'" + suggestion(names_[i], actuated, {}));
-  }
-
-  JointWaypoint waypoint(const YAML::Node& point, const std::string& where) const {
+  JointWaypoint waypoint(const ask::JointColumns& columns, const YAML::Node& point,
+                         const std::string& where) const {
     JointWaypoint result;
     // Of a key that is not understood, or that stands there twice, the robot would run another motion.
     values_.check_keys(point, {"positions", "velocities", "accelerations", "effort", "time_from_start"},
                        where);
     result.time = time(point["time_from_start"], where + ".time_from_start");
-    result.q = vector(point["positions"], where + ".positions", true);
-    result.velocity = vector(point["velocities"], where + ".velocities", false);
-    result.acceleration = vector(point["accelerations"], where + ".accelerations", false);
+    result.q = vector(columns, point["positions"], where + ".positions");
+    result.velocity = vector(columns, point["velocities"], where + ".velocities");
+    result.acceleration = vector(columns, point["accelerations"], where + ".accelerations");
     return result;
   }
 
@@ -92,25 +75,17 @@ class MessageReader {
     return seconds + 1e-9 * nanoseconds;
   }
 
-  JointVector vector(const YAML::Node& node, const std::string& where, bool required) const {
+  JointVector vector(const ask::JointColumns& columns, const YAML::Node& node,
+                     const std::string& where) const {
     std::vector<double> numbers;
-    const bool given = values_.numbers(node, where, numbers) && !numbers.empty();
-    if (!given && !required) return {};
-    JointVector result = JointVector::Zero(static_cast<Eigen::Index>(columns_.size()));
-    if (numbers.size() != names_.size())
-      values_.problem("has " + std::to_string(numbers.size()) + " numbers in " + where +
-                      "; give one a joint.");
-    else
-      for (std::size_t j = 0; j < columns_.size(); ++j)
-        result[static_cast<Eigen::Index>(j)] = numbers[columns_[j]];
-    return result;
+    values_.numbers(node, where, numbers);
+    return columns.ordered(numbers, where, problems_);
   }
 
   const Manipulator& manipulator_;
+  const std::string& file_;
   YamlValues values_;
   Problems& problems_;
-  Names names_;
-  std::vector<std::size_t> columns_;  // of each leg
 };
 
 }  // namespace

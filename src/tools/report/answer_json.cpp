@@ -25,12 +25,6 @@ json JsonWriter::json_of(const std::vector<HeldCoordinate>& values) const {
   return object;
 }
 
-json JsonWriter::json_of(const ask::NamedValues& values) const {
-  json object = json::object();
-  for (const auto& [name, value] : values) object[name] = json_of(value);
-  return object;
-}
-
 json JsonWriter::json_of(const std::vector<ask::NamedRange>& ranges) const {
   json object;
   for (const ask::NamedRange& each : ranges) {

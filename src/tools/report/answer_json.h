@@ -50,6 +50,13 @@ class JsonWriter {
     for (const Item& each : list) array.push_back(json_of(each));
     return array;
   }
+  /// An object.
+  template <class Value>
+  nlohmann::json json_of(const std::vector<std::pair<std::string, Value>>& values) const {
+    nlohmann::json object = nlohmann::json::object();
+    for (const auto& [name, value] : values) object[name] = json_of(value);
+    return object;
+  }
   /// Of a struct that has a list of fields of its own.
   template <class Described, class = std::enable_if_t<std::is_class_v<Described>>>
   nlohmann::json json_of(const Described& described) const {
@@ -64,7 +71,6 @@ class JsonWriter {
   nlohmann::json json_of(const TaskVector& values) const;
   /// Objects by name.
   nlohmann::json json_of(const std::vector<HeldCoordinate>& values) const;
-  nlohmann::json json_of(const ask::NamedValues& values) const;
   nlohmann::json json_of(const std::vector<ask::NamedRange>& ranges) const;  ///< "lower" and "upper" of all
   nlohmann::json json_of(ask::LegIndex leg) const { return robot_.leg(leg.index).name; }
   nlohmann::json json_of(const MapSlice& slice) const;

@@ -40,7 +40,7 @@ std::string values_text(const Manipulator& manipulator, const TrajectoryCheck& c
       {"up to " + number_text(check.free_until, 9) + " s", ">least or fastest", ">at [s]", ">limit"});
   table.add(
       {"parallel index", finite_or_dash(check.parallel_index.value), shown(check.parallel_index.time), "-"});
-  table.add({"serial index, leg '" + manipulator.leg(check.serial_index.leg).name + "'",
+  table.add({"serial index, leg '" + manipulator.leg(check.serial_index.leg.value_or(0)).name + "'",
              finite_or_dash(check.serial_index.value), shown(check.serial_index.time), "-"});
   for (std::size_t j = 0; j < check.speeds.size(); ++j) {
     const Leg& leg = manipulator.leg(j);
