@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/map_choice.h"
 
-#include "ask/slice_ends.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
 #include "tools/question_options.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace parallel_aspects::tools {
 
-std::vector<Option> map_choice_options(MapChoice& choice, const std::string& slice_option) {
+std::vector<Option> map_choice_options(MapChoice& choice) {
   return {{"--resolution", "R",
            "Longest edge of an undecided leaf of the base map [m or rad]; by default what suits the robot",
            &choice.resolution},
-          {slice_option, "\"z=1\"",
+          {"--slice", "\"z=1\"",
            "Stay in a line, plane or volume of poses: what is held, with its value [m or rad]; the rest is "
            "free. In "
            "SE2 an actuated joint may be held, such as \"strut_1_joint=15\"",
@@ -26,19 +24,6 @@ std::vector<Option> map_choice_options(MapChoice& choice, const std::string& sli
            &choice.load_file, false, Words::one, FileUse::loaded},
           {"--save", "FILE", "Write the map to this file, with its gates, for --load", &choice.save_file,
            false, Words::one, FileUse::saved}};
-}
-
-std::optional<MapSlice> parse_slice_with_ends(const std::string& option, const Manipulator& manipulator,
-                                              const std::string& text, const std::vector<NamedPose>& ends,
-                                              double& moved, Problems& problems) {
-  if (text.empty()) return std::nullopt;
-  const MapSlice slice = parse_slice(option, manipulator, text, problems);
-  if (!problems.empty()) return slice;
-  ask::ProblemList found;
-  for (const NamedPose& end : ends)
-    moved = std::max(moved, ask::put_onto_slice(slice, manipulator, end.field, *end.pose, found));
-  problems = texts_of(found, option_name);
-  return slice;
 }
 
 ask::FoundMap choose_map(const std::shared_ptr<const Manipulator>& manipulator, const MapChoice& choice,

@@ -5,8 +5,6 @@
 #include "parallel_aspects/ask/session.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_slice.h"
-#include "parallel_aspects/model/pose.h"
-#include "parallel_aspects/model/problems.h"
 #include "tools/report/report.h"
 #include "tools/subcommands.h"
 
@@ -22,22 +20,8 @@ struct MapChoice {
   std::string resolution, slice, load_file, save_file;
 };
 
-/// `--resolution R`, `--slice "z=1"` by the name it is given, `--load FILE` and `--save FILE`, which fill
-/// `choice`.
-std::vector<Option> map_choice_options(MapChoice& choice, const std::string& slice_option = "--slice");
-
-/// A pose, and the field that gives it.
-struct NamedPose {
-  std::string field;
-  Pose* pose;
-};
-
-/// The slice that `option` names; nothing for an empty text. The ends, typed in a few digits, are put onto
-/// it, and `moved` says by how much at most [m]. Where that is more than the rounding of a table to six
-/// digits, they are refused, and the message gives the nearest pose.
-std::optional<MapSlice> parse_slice_with_ends(const std::string& option, const Manipulator& manipulator,
-                                              const std::string& text, const std::vector<NamedPose>& ends,
-                                              double& moved, Problems& problems);
+/// `--resolution R`, `--slice "z=1"`, `--load FILE` and `--save FILE`, which fill `choice`.
+std::vector<Option> map_choice_options(MapChoice& choice);
 
 /// The map of that choice in these working modes, or all of them where there are none, from the file where it
 /// fits, else computed, with a progress bar on a terminal; it is saved where that is asked for. Throws

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ask/slice_ends.h"
+
+#include "model/pose_text.h"
+#include "parallel_aspects/aspects/held_joint.h"
+
+#include <gtest/gtest.h>
+
+#include "support/robots/robots.h"
+#include "support/slices.h"
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <random>
+#include <sstream>
+#include <string>
+
+namespace parallel_aspects::ask {
+namespace {
+
+using test::Held;
+using test::Robot;
+
+struct Placed {
+  Pose pose;
+  double moved = 0.0;
+  ProblemList problems;
+};
+
+/// The pose that this text gives, on the slice.
+Placed placed(const Robot& robot, const Held& held, const std::string& text) {
+  std::istringstream stream(text);
+  PoseCoordinates numbers(static_cast<Eigen::Index>(coordinate_names(robot->task_space()).size()));
+  for (Eigen::Index i = 0; i < numbers.size(); ++i) stream >> numbers[i];
+  Placed result;
+  result.pose = pose_from_coordinates(robot->task_space(), numbers).value();
+  result.moved = put_onto_slice(test::slice_of(robot, held), *robot, "start", result.pose, result.problems);
+  return result;
+}
+
+TEST(SliceEnds, TakesPosesOfTablesWithAJointHeld) {
+  const Robot robot = test::three_rpr();
+  const AnchorCircle circle = circle_of_anchor(*robot, {0, 14.98, false});
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> angle(-EIGEN_PI, EIGEN_PI);
+  double most = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    const Pose pose = circle.pose(angle(random), angle(random));
+    const Placed found = placed(robot, {{"leg_1_joint", 14.98}}, pose_numbers(robot->task_space(), pose));
+    ASSERT_TRUE(found.problems.empty()) << found.problems.front().fault;
+    EXPECT_LE(std::abs(circle.distance(found.pose)), 1e-12);
+    EXPECT_LE((found.pose.position - pose.position).norm(), 1e-3);
+    most = std::max(most, found.moved);
+  }
+  EXPECT_GT(most, held_joint_tolerance);  // so that rounding is what was asked for
+}
+
+TEST(SliceEnds, TakesPosesOfTablesInOtherSlices) {
+  const Robot robot = test::stewart();
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  for (int i = 0; i < 500; ++i) {
+    const Held held{{"roll", number(random)}, {"pitch", 0.2}, {"yaw", -0.3}};
+    Pose pose = test::slice_of(robot, held).held;
+    pose.position = {number(random), number(random), number(random)};
+    const Placed found = placed(robot, held, pose_numbers(robot->task_space(), pose));
+    EXPECT_TRUE(found.problems.empty()) << found.problems.front().fault;
+  }
+}
+
+TEST(SliceEnds, NamesAPoseThatIsTaken) {
+  const Robot robot = test::three_rpr();
+  const Placed off = placed(robot, {{"leg_1_joint", 15.0}}, "-14.89612810 1.58296166 0.24530953");
+  ASSERT_EQ(off.problems.size(), 1U);
+  const std::string& message = off.problems.front().remedy;
+  const std::string words = "The nearest in the task frame is \"";
+  const std::size_t begin = message.find(words) + words.size(), end = message.find('"', begin);
+  ASSERT_NE(end, std::string::npos) << message;
+  const Placed again = placed(robot, {{"leg_1_joint", 15.0}}, message.substr(begin, end - begin));
+  EXPECT_TRUE(again.problems.empty()) << message;
+  EXPECT_LE(again.moved, held_joint_tolerance);
+}
+
+// A frame that is far off leaves few digits to where the robot is.
+TEST(SliceEnds, RefusesPosesThatAreFarOffForTheRobot) {
+  const Robot robot = test::delta();
+  EXPECT_TRUE(placed(robot, {{"z", -0.6}}, "0.1 0.2 -0.600001").problems.empty());
+  EXPECT_FALSE(placed(robot, {{"z", -0.6}}, "0.1 0.2 -0.60001").problems.empty());
+  EXPECT_FALSE(placed(robot, {{"z", 1e6}}, "0.1 0.2 1000001").problems.empty());
+}
+
+}  // namespace
+}  // namespace parallel_aspects::ask
