@@ -21,8 +21,8 @@ folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 print({name: value for name, value in robot.lengths.items() if not name.startswith("anchor")})
 pose = (4.5, 8.0)
 for configuration in robot.configurations(pose):
-    others = len(robot.direct(configuration.q).poses)
-    print(f"{pose} in working mode {configuration.mode}: q = {configuration.q.round(4)} rad, {others} assembly modes")
+    others = len(robot.direct(configuration.joints).poses)
+    print(f"{pose} in working mode {configuration.working_mode}: q = {configuration.joints.round(4)} rad, {others} assembly modes")
 
 # %% The aspects, a picture for each working mode, and how many there are: Table 1 of the paper.
 aspects = robot.map()

@@ -3,6 +3,7 @@
 #include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
+#include "parallel_aspects/ask/kinematics.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/workspace.h"
 
@@ -102,6 +103,10 @@ void bind_motion(py::module& module, RobotClass& robot, MapClass& map) {
   robot.def("check", check_poses);
   robot.def("check_joints", check_joints);
   robot.def("choose", choose);
+  robot.def("configurations", ask_robot<ask::InverseQuestion>);
+  robot.def("direct", ask_robot<ask::DirectQuestion>);
+  module.def("inverse_answer", fields_of<ask::InverseInMode>);
+  module.def("direct_answer", fields_of<ask::DirectAnswer>);
   bind_question<ask::PlanQuestion, ask::PlanAnswer>("plan", module, robot, map);
   bind_question<ask::ConnectQuestion, ask::ConnectAnswer>("connect", module, robot, map);
   bind_question<ask::DistanceQuestion, ask::DistancesInMode>("distance", module, robot, map);

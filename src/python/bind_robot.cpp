@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/design.h"
-#include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/singularity/indices.h"
 #include "parallel_aspects/urdf/models.h"
@@ -130,42 +129,6 @@ Array inverse_of(const CoreRobot& robot, const Array& values, const std::string&
   return array_of(rows, manipulator.leg_count());
 }
 
-py::tuple inverse_in_modes(const CoreRobot& robot, const Array& values) {
-  const Manipulator& manipulator = *robot.manipulator;
-  std::vector<std::string> modes;
-  std::vector<TaskVector> rows;
-  for (const InverseSolution& solution :
-       inverse_in_all_modes(manipulator, pose_of("pose", manipulator, values))) {
-    if (!solution) continue;
-    modes.push_back(to_string(solution.mode));
-    rows.push_back(solution.q);
-  }
-  return py::make_tuple(modes, array_of(rows, manipulator.leg_count()));
-}
-
-py::dict direct_of(const CoreRobot& robot, const Array& values) {
-  const Manipulator& manipulator = *robot.manipulator;
-  const std::vector<JointVector> joints = joints_of("q", manipulator, values);
-  if (values.ndim() != 1)
-    throw InvalidDescription({"q has two axes; give the joint values of one configuration."});
-  const auto result =
-      run_long(py::none(), [&](const MapControl&) { return direct(manipulator, joints.front()); });
-  std::vector<Pose> poses;
-  std::vector<double> determinants;
-  std::vector<bool> near_singular;
-  for (const AssemblyMode& each : result.solutions) {
-    poses.push_back(each.pose);
-    determinants.push_back(each.determinant);
-    near_singular.push_back(each.near_singular);
-  }
-  py::dict answer;
-  answer["status"] = name(result.status);
-  answer["poses"] = array_of(manipulator.task_space(), poses);
-  answer["determinants"] = array_of(determinants);
-  answer["near_singular"] = near_singular;
-  return answer;
-}
-
 /// The parallel index of each pose, shape (n,), and the serial indices, shape (n, legs); NaN where not
 /// reached.
 py::tuple indices_of(const CoreRobot& robot, const Array& values, const std::string& text) {
@@ -214,8 +177,6 @@ void bind_robot(RobotClass& robot) {
   robot.def("constrained", constrained);
   robot.def("with_lengths", with_lengths);
   robot.def("inverse", inverse_of);
-  robot.def("inverse_in_modes", inverse_in_modes);
-  robot.def("direct", direct_of);
   robot.def("indices", indices_of);
 }
 

@@ -15,6 +15,7 @@
 #include "tools/subcommands.h"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -195,6 +196,31 @@ Answer required(ask::Outcome<Answer> outcome) {
   if (outcome.status == MapStatus::cancelled) throw Interrupted{};
   if (outcome.status == MapStatus::refused) refuse(outcome.problems);
   return std::move(outcome.answer);
+}
+
+/// Reads a question and answers it. Throws what `required` does.
+template <class Question>
+auto asked(const std::shared_ptr<const Manipulator>& robot, const QuestionTexts& texts,
+           const Surroundings& surroundings) {
+  Problems problems;
+  const auto question = read_question<Question>(*robot, texts, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  ask::Session session(robot);
+  return required(answer(session, question, ShownAnswering(surroundings).control()));
+}
+
+/// A subcommand with the options of a question alone.
+template <class Question, class Answer>
+Subcommand question_subcommand(const std::string& name, const std::string& help,
+                               Report (*report_of)(const Mechanism&, const Answer&)) {
+  const auto choice = std::make_shared<RobotChoice>();
+  const auto texts = std::make_shared<QuestionTexts>();
+  std::vector<Option> options = robot_options(*choice);
+  for (const Option& option : question_options<Question>(*texts)) options.push_back(option);
+  return {name, help, options, [choice, texts, report_of](const Surroundings& surroundings) {
+            const auto mechanism = load_robot(*choice);
+            return report_of(*mechanism, asked<Question>(mechanism->manipulator(), *texts, surroundings));
+          }};
 }
 
 }  // namespace parallel_aspects::tools

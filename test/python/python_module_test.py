@@ -82,7 +82,7 @@ def test_direct_solutions_hold_the_pose(robot):
             gaps = np.linalg.norm(solved.poses - points[i], axis=1)
             assert solved.status == "solved" and gaps.min() < 1e-6
             assert solved.determinants[gaps.argmin()] == pytest.approx(determinant[i], rel=1e-5, abs=1e-5)
-    assert [c.mode for c in robot.configurations((4.5, 8))] == robot_modes(robot)
+    assert [c.working_mode for c in robot.configurations((4.5, 8))] == robot_modes(robot)
 
 
 def robot_modes(robot):

@@ -4,6 +4,7 @@
 #include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
+#include "parallel_aspects/ask/kinematics.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/workspace.h"
 #include "tools/report/option_name.h"
@@ -60,6 +61,10 @@ TEST(DocumentedFields, AreThoseOfTheAnswers) {
   expect_documented<ask::DistanceAnswer>();
   expect_documented<ask::DistancesInMode>();
   expect_documented<ask::DistanceTo>();
+  expect_documented<ask::InverseAnswer>();
+  expect_documented<ask::InverseInMode>();
+  expect_documented<ask::DirectAnswer>();
+  expect_documented<ask::DirectSolution>();
   expect_documented<ask::LargestShapeAnswer>();
   expect_documented<ask::ShapeInAspect>();
 }

@@ -158,13 +158,12 @@ class Robot:
 
     def configurations(self, pose: "np.typing.ArrayLike") -> List[Configuration]:
         """All inverse solutions of a pose of shape (k,), within the limits: one a working mode at most."""
-        return [Configuration(mode, q) for mode, q in zip(*self._core.inverse_in_modes(array("pose", pose)))]
+        found = self._core.configurations({"pose": pose}, None)["solutions"]
+        return [Configuration(**each) for each in found if each["status"] == "solved"]
 
-    def direct(self, q: "np.typing.ArrayLike") -> DirectSolutions:
-        """All poses that the values of the actuated joints can hold, q of shape (legs,), whatever the limits."""
-        answer = self._core.direct(array("q", q))
-        answer["near_singular"] = np.array(answer["near_singular"], dtype=bool)
-        return DirectSolutions(**answer)
+    def direct(self, joints: "np.typing.ArrayLike") -> DirectSolutions:
+        """All poses that values of the actuated joints can hold, of shape (legs,), whatever the limits."""
+        return DirectSolutions(len(self.coordinates), **self._core.direct({"joints": joints}, None))
 
     def indices(self, poses: "np.typing.ArrayLike", mode: Mode) -> Tuple[np.ndarray, np.ndarray]:
         """The parallel index of each pose, of shape () or (n,), and the serial indices of the legs, (legs,) or (n, legs).

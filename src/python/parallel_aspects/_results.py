@@ -11,22 +11,31 @@ from . import _core
 from ._fields import documented
 
 
-@dataclass(frozen=True, eq=False)
-class Configuration:
+class Configuration(SimpleNamespace):
     """A pose in one working mode."""
 
-    mode: str  # as "(+,-)"
-    q: np.ndarray  # actuated joints [rad or m], (legs,)
+
+documented(Configuration, _core.inverse_answer())
 
 
-@dataclass(frozen=True, eq=False)
-class DirectSolutions:
-    """The poses that given joint values can hold, by falling det A."""
+class DirectSolutions(SimpleNamespace):
+    """The poses that given joint values can hold, by falling det A.
 
-    status: str  # "solved": these are all; "continuum": the platform can move; or "unsolved"
-    poses: np.ndarray  # (n, k)
-    determinants: np.ndarray  # det A, (n,)
-    near_singular: np.ndarray  # whether a pose or their number may depend on rounding, (n,) of bool
+    Of `assembly_modes` there are arrays besides: `poses` (n, k), `determinants` (n,) and `near_singular` (n,), of bool.
+    """
+
+    def __init__(self, coordinates: int, assembly_modes: Sequence[Dict[str, Any]], **fields: Any) -> None:
+        columns = {name: np.array([each[name] for each in assembly_modes]) for name in ("pose", "det_a", "near_singular")}
+        super().__init__(
+            poses=columns["pose"].reshape(-1, coordinates),
+            determinants=columns["det_a"],
+            near_singular=columns["near_singular"].astype(bool),
+            assembly_modes=tuple(SimpleNamespace(**each) for each in assembly_modes),
+            **fields,
+        )
+
+
+documented(DirectSolutions, _core.direct_answer())
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,8 +3,7 @@
 
 #include "model/number_text.h"
 #include "model/spherical_links.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/ask/kinematics.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/model/anchor_distance.h"
 #include "parallel_aspects/singularity/margins.h"
@@ -82,14 +81,6 @@ bool fits(const Manipulator& manipulator, const SolvedPose& solved, const Stated
   return true;
 }
 
-std::string failure_text(const Manipulator& manipulator, const InverseSolution& solution) {
-  const Leg& leg = manipulator.leg(solution.leg);
-  return solution.status == InverseStatus::out_of_reach
-             ? leg.name + " cannot reach the pose"
-             : "joint " + leg.actuated_joint + " would be outside its limits in working mode " +
-                   to_string(solution.mode);
-}
-
 }  // namespace
 
 StatedSigns stated_signs(const Configuration& configuration) {
@@ -156,10 +147,10 @@ ConfigurationAnswer configurations_at_pose(const Manipulator& manipulator, const
     if (solution.status == InverseStatus::solved)
       answer.configurations.push_back({pose, solution.q});
     else
-      failure = failure_text(manipulator, solution);
+      failure = ask::reason_of(manipulator, pose, solution);
   }
   if (answer.configurations.empty())
-    answer.status = make_status(Status::NO_SOLUTION, "No configuration: " + failure + ".");
+    answer.status = make_status(Status::NO_SOLUTION, "No configuration: " + failure);
   return answer;
 }
 

@@ -55,11 +55,13 @@ nlohmann::json json_box(const std::vector<std::string>& names, const Box& box) {
   return {{"lower", lower}, {"upper", upper}};
 }
 
-nlohmann::json json_indices(const SingularityIndices& indices) {
-  return {{"det_a", json_number(indices.determinant)},
-          {"b_jj", json_numbers(indices.inverse_diagonal)},
-          {"smallest_singular_value", json_number(indices.smallest_singular_value)},
-          {"inverse_condition_number", json_number(indices.inverse_condition_number)}};
+nlohmann::json json_joints(const Manipulator& manipulator) {
+  nlohmann::json object = {{"mechanism", manipulator.name()}};
+  for (const Leg& leg : manipulator.legs()) {
+    object["actuated_joints"].push_back(leg.actuated_joint);
+    object["units"].push_back(joint_unit(leg));
+  }
+  return object;
 }
 
 std::string shown(double value) { return with_digits(value, 6); }

@@ -5,7 +5,6 @@
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
-#include "parallel_aspects/singularity/indices.h"
 #include "urdf/description/note.h"
 
 #include <nlohmann/json.hpp>
@@ -34,8 +33,8 @@ nlohmann::json json_pose(TaskSpace space, const Pose& pose);
 /// {"lower": {...}, "upper": {...}}, each an object by these coordinate names.
 nlohmann::json json_box(const std::vector<std::string>& names, const Box& box);
 
-/// {"det_a", "b_jj", "smallest_singular_value", "inverse_condition_number"}, as in `SingularityIndices`.
-nlohmann::json json_indices(const SingularityIndices& indices);
+/// {"mechanism", "actuated_joints", "units"} of these.
+nlohmann::json json_joints(const Manipulator& manipulator);
 
 /// Six significant digits; "-" where the value is not a number.
 std::string shown(double value);

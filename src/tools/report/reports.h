@@ -7,8 +7,6 @@
 #include "parallel_aspects/aspects/neighbours.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/aspects/same_aspect.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "tools/report/report.h"
 
@@ -47,13 +45,6 @@ Report report_roadmap(const PoseRoadmap& roadmap, bool verbose = false);
 /// `aspects describe`: what was recognised in the description of the robot; where `verbose`, with every name
 /// in its notes.
 Report report_mechanism(const Mechanism& mechanism, bool verbose = false);
-
-/// `aspects ik`: the inverse solutions at `pose`, one a working mode, solved or not.
-Report report_inverse(const Mechanism& mechanism, const Pose& pose,
-                      const std::vector<InverseSolution>& solutions);
-
-/// `aspects fk`: the assembly modes at the joint values `q`.
-Report report_direct(const Mechanism& mechanism, const JointVector& q, const DirectResult& result);
 
 /// `aspects robots`: names of the shipped robots.
 Report report_robots(const std::vector<std::string>& names);

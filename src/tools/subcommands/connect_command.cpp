@@ -11,7 +11,6 @@
 
 #include <memory>
 #include <string>
-#include <utility>
 
 namespace parallel_aspects::tools {
 namespace {
@@ -67,12 +66,7 @@ std::string slice_text(const ask::ConnectAnswer& answer) {
 Report report_of(const ConnectArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto robot = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
-  Problems problems;
-  const auto question = read_question<ask::ConnectQuestion>(*robot, arguments.texts, problems);
-  if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  ask::Session session(robot);
-  const ShownAnswering shown(surroundings);
-  const ask::ConnectAnswer answer = required(ask::answer(session, question, shown.control()));
+  const ask::ConnectAnswer answer = asked<ask::ConnectQuestion>(robot, arguments.texts, surroundings);
   Report report{answer_json(*robot, answer), connection_text(*robot, answer)};
   report.json["mechanism"] = robot->name();
   const Report constraints = report_constraints(*robot);

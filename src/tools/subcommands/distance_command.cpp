@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <utility>
 
 namespace parallel_aspects::tools {
 namespace {
@@ -86,15 +85,10 @@ std::string hint_of_map(const RobotChoice& robot, const Manipulator& manipulator
 Report report_of(const DistanceArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto& robot = mechanism->manipulator();
-  Problems problems;
-  const auto question = read_question<ask::DistanceQuestion>(*robot, arguments.texts, problems);
-  if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  ask::Session session(robot);
-  const ask::DistanceAnswer answer =
-      required(ask::answer(session, question, ShownAnswering(surroundings).control()));
+  const auto answer = asked<ask::DistanceQuestion>(robot, arguments.texts, surroundings);
   Report report{answer_json(*robot, answer), distances_text(*robot, answer)};
   report.json["mechanism"] = robot->name();
-  report.text += answer.loaded ? source_text(question.map, *answer.loaded)
+  report.text += answer.loaded ? source_text({{}, {}, arguments.texts.at("map"), {}}, *answer.loaded)
                                : hint_of_map(arguments.robot, *robot, answer.answers);
   return report;
 }
