@@ -139,19 +139,21 @@ py::object object_of(const nlohmann::json& json) {
   return py::module::import("json").attr("loads")(tools::to_text(json));
 }
 
-WorkingMode mode_of(const std::string& name, const Manipulator& manipulator, const std::string& text) {
-  Problems problems;
-  const auto mode = tools::parse_mode(name, manipulator, text, problems);
-  refuse_any(problems);
-  return *mode;
+std::string signs_text(const py::object& given) {
+  if (py::isinstance<py::str>(given) || !py::isinstance<py::iterable>(given)) return py::str(given);
+  std::string text;
+  for (const py::handle each : given) {
+    const std::string sign = py::str(each);
+    text += (text.empty() ? "(" : ",") + std::string(sign == "1" ? "+" : sign == "-1" ? "-" : "?");
+  }
+  return text + ")";
 }
 
-std::optional<MapSlice> slice_of(const Manipulator& manipulator, const std::string& text) {
-  if (text.empty()) return std::nullopt;
+WorkingMode mode_of(const std::string& name, const Manipulator& manipulator, const py::object& signs) {
   Problems problems;
-  MapSlice slice = tools::parse_slice("slice", manipulator, text, problems);
+  const auto mode = tools::parse_mode(name, manipulator, signs_text(signs), problems);
   refuse_any(problems);
-  return slice;
+  return *mode;
 }
 
 }  // namespace parallel_aspects::python

@@ -3,14 +3,12 @@
 #define PARALLEL_ASPECTS_PYTHON_ARRAYS_H
 
 #include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <optional>
 #include <pybind11/numpy.h>
 #include <string>
 #include <vector>
@@ -51,11 +49,11 @@ Array array_of(const std::vector<Box>& boxes, std::size_t dimension);
 /// Objects as dictionaries, null as None.
 pybind11::object object_of(const nlohmann::json& json);
 
-/// The mode in the text, such as "(+,-)"; throws `InvalidDescription` where there is none.
-WorkingMode mode_of(const std::string& name, const Manipulator& manipulator, const std::string& text);
+/// (1, -1) as "(+,-)"; anything else as a text that is refused.
+std::string signs_text(const pybind11::object& given);
 
-/// The slice that a text such as "z=1" holds; nothing where it is empty. Throws `InvalidDescription`.
-std::optional<MapSlice> slice_of(const Manipulator& manipulator, const std::string& text);
+/// The mode that such signs give; throws `InvalidDescription` where there is none.
+WorkingMode mode_of(const std::string& name, const Manipulator& manipulator, const pybind11::object& signs);
 
 }  // namespace parallel_aspects::python
 

@@ -27,17 +27,6 @@ Array array_named(const std::string& name, const py::object& given) {
 
 std::string text_of_any(const py::object& given) { return py::repr(given).cast<std::string>(); }
 
-/// (1, -1) as "(+,-)"; anything else as a text that is refused.
-std::string signs_text(const py::object& given) {
-  if (py::isinstance<py::str>(given) || !py::isinstance<py::iterable>(given)) return py::str(given);
-  std::string text;
-  for (const py::handle each : given) {
-    const std::string sign = py::str(each);
-    text += (text.empty() ? "(" : ",") + std::string(sign == "1" ? "+" : sign == "-1" ? "-" : "?");
-  }
-  return text + ")";
-}
-
 }  // namespace
 
 void KeywordReader::require_known() const {
@@ -73,7 +62,7 @@ void KeywordReader::read(const std::string& name, const Object& given, Pose& val
 }
 
 void KeywordReader::read(const std::string& name, const Object& given, WorkingMode& value) {
-  value = mode_of(name, robot_, signs_text(given));
+  value = mode_of(name, robot_, given);
 }
 
 void KeywordReader::read(const std::string& name, const Object& given, JointVector& value) {

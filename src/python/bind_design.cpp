@@ -11,7 +11,6 @@
 #include "python/bindings.h"
 #include "python/long_call.h"
 #include "python/python_errors.h"
-#include <map>
 #include <pybind11/stl.h>
 #include <utility>
 
@@ -20,42 +19,24 @@ namespace {
 
 namespace py = pybind11;
 
-/// Keyword arguments as text; empty where not given.
-using Texts = std::map<std::string, std::string>;
+/// Of `uniqueness`.
+struct UniquenessKeywords {
+  UniquenessOptions options;
+};
 
-std::string text_of(const Texts& texts, const char* name) {
-  const auto found = texts.find(name);
-  return found == texts.end() ? "" : found->second;
+template <class Visit>
+void describe(Visit& visit, UniquenessKeywords& keywords) {
+  visit({"slice", "", ""}, keywords.options.slice);
+  visit({"resolution", "", ""}, keywords.options.resolution);
 }
 
-tools::SweepArguments sweep_arguments(const ask::ShapeQuestion& shape, const Texts& texts, bool untied) {
-  tools::SweepArguments arguments;
-  arguments.shape = shape;
-  arguments.vary = text_of(texts, "vary");
-  arguments.sample = text_of(texts, "sample");
-  arguments.designs = text_of(texts, "designs");
-  arguments.figures = text_of(texts, "report");
-  arguments.shard = text_of(texts, "shard");
-  arguments.resolution = text_of(texts, "resolution");
-  arguments.slice = text_of(texts, "slice");
-  arguments.modes = text_of(texts, "mode");
-  arguments.untied = untied;
-  return arguments;
-}
-
-void sweep(const CoreRobot& robot, const std::string& file, const Texts& texts, const py::dict& shape,
-           bool untied, unsigned threads, const py::object& progress) {
+void sweep(const CoreRobot& robot, const std::string& file, const py::dict& keywords, unsigned threads,
+           const py::object& progress) {
   tools::Shard shard;
-  const auto asked = read_question<ask::ShapeQuestion>(*robot.manipulator, shape);
-  const tools::SweepPlan plan = asked_by_keywords([&] {
-    const tools::SweepArguments arguments = sweep_arguments(asked, texts, untied);
-    Problems problems;
-    tools::SweepPlan parsed = tools::parse_sweep(arguments, shard, problems);
-    refuse_any(problems);
-    tools::set_robot(robot.manipulator, arguments, parsed, problems);
-    refuse_any(problems);
-    return parsed;
-  });
+  Problems problems;
+  const auto arguments = read_question<tools::SweepArguments>(*robot.manipulator, keywords);
+  const tools::SweepPlan plan = tools::plan_sweep(robot.manipulator, arguments, shard, problems);
+  refuse_any(problems);
   tools::SweepFile rows(plan, shard, file);
   run_long(progress, [&](const MapControl& control) {
     const auto tell = [&control](std::size_t done, std::size_t of) {
@@ -66,13 +47,10 @@ void sweep(const CoreRobot& robot, const std::string& file, const Texts& texts, 
   });
 }
 
-py::object uniqueness(const CoreRobot& robot, const std::string& slice, const py::object& resolution,
-                      const py::object& progress) {
-  UniquenessOptions options;
-  options.slice = slice_of(*robot.manipulator, slice);
-  if (!resolution.is_none()) options.resolution = resolution.cast<double>();
+py::object uniqueness(const CoreRobot& robot, const py::dict& keywords, const py::object& progress) {
+  const auto asked = read_question<UniquenessKeywords>(*robot.manipulator, keywords);
   const auto result = run_long(progress, [&](const MapControl& control) {
-    return compute_uniqueness(robot.manipulator, options, control);
+    return compute_uniqueness(robot.manipulator, asked.options, control);
   });
   if (!result) throw InvalidDescription({result.message});
   return object_of(tools::report_uniqueness(*result.uniqueness).json);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ask/named_ranges.h"
 #include "parallel_aspects/aspects/boundary_curves.h"
 #include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/aspects/pose_slice.h"
-#include "tools/arguments.h"
 
 #include "python/arrays.h"
+#include "python/asking.h"
 #include "python/bindings.h"
 #include "python/long_call.h"
 #include "python/python_errors.h"
@@ -16,27 +17,28 @@ namespace {
 
 namespace py = pybind11;
 
-/// What is asked of a map, as texts; empty where not given.
-struct MapTexts {
-  std::string region, slice, modes;
+/// Which map.
+struct MapKeywords {
+  MapOptions options;
+  std::vector<ask::NamedRange> region;
 };
 
-MapOptions map_options(const Manipulator& manipulator, const MapTexts& texts, const py::object& resolution) {
-  MapOptions options;
-  Problems problems;
-  options.slice = slice_of(manipulator, texts.slice);
-  const auto names =
-      options.slice ? coordinate_names(*options.slice) : coordinate_names(manipulator.task_space());
-  if (!texts.region.empty()) {
-    const std::size_t positions =
-        options.slice ? options.slice->free_positions() : directions(manipulator.task_space());
-    options.region =
-        tools::parse_region("region", {names.begin(), names.begin() + static_cast<std::ptrdiff_t>(positions)},
-                            texts.region, problems);
-  }
-  options.modes = tools::parse_modes("modes", manipulator, texts.modes, problems);
-  refuse_any(problems);
-  if (!resolution.is_none()) options.resolution = resolution.cast<double>();
+template <class Visit>
+void describe(Visit& visit, MapKeywords& keywords) {
+  visit({"resolution", "", ""}, keywords.options.resolution);
+  visit({"region", "", ""}, keywords.region);
+  visit({"slice", "", ""}, keywords.options.slice);
+  visit({"modes", "", ""}, keywords.options.modes);
+}
+
+MapOptions map_options(const Manipulator& manipulator, const py::dict& keywords) {
+  const auto asked = read_question<MapKeywords>(manipulator, keywords);
+  MapOptions options = asked.options;
+  auto names = options.slice ? coordinate_names(*options.slice) : coordinate_names(manipulator.task_space());
+  names.resize(options.slice ? options.slice->free_positions() : directions(manipulator.task_space()));
+  ask::ProblemList problems;
+  if (!asked.region.empty()) options.region = ask::box_of("region", names, asked.region, problems);
+  if (!problems.empty()) throw InvalidDescription(texts_of(problems, ask::plain_name));
   return options;
 }
 
@@ -45,10 +47,9 @@ CoreMap require(MapResult result) {
   return CoreMap(std::move(result.map));
 }
 
-CoreMap compute(const CoreRobot& robot, const py::object& resolution, const std::string& region,
-                const std::string& slice, const std::string& modes, unsigned threads, int extra_levels,
+CoreMap compute(const CoreRobot& robot, const py::dict& keywords, unsigned threads, int extra_levels,
                 bool complete, const py::object& progress) {
-  MapOptions options = map_options(*robot.manipulator, {region, slice, modes}, resolution);
+  MapOptions options = map_options(*robot.manipulator, keywords);
   options.threads = threads;
   options.extra_levels = extra_levels;
   options.complete = complete;
@@ -57,9 +58,8 @@ CoreMap compute(const CoreRobot& robot, const py::object& resolution, const std:
   }));
 }
 
-CoreMap load_file(const CoreRobot& robot, const std::string& file, const py::object& resolution,
-                  const std::string& region, const std::string& slice, const std::string& modes) {
-  const MapOptions options = map_options(*robot.manipulator, {region, slice, modes}, resolution);
+CoreMap load_file(const CoreRobot& robot, const std::string& file, const py::dict& keywords) {
+  const MapOptions options = map_options(*robot.manipulator, keywords);
   return require(
       run_long(py::none(), [&](const MapControl&) { return load_map(robot.manipulator, options, file); }));
 }
@@ -98,9 +98,9 @@ void require_aspect(const CoreMap& map, int id) {
 }
 
 /// Ids; 0 where undecided, -1 where proved to lie in none, -2 where not mapped.
-py::array_t<int> locate(const CoreMap& map, const Array& values, const std::string& text) {
+py::array_t<int> locate(const CoreMap& map, const Array& values, const py::object& signs) {
   const std::vector<Pose> poses = poses_of("poses", map.robot(), values);
-  const WorkingMode mode = mode_of("mode", map.robot(), text);
+  const WorkingMode mode = mode_of("mode", map.robot(), signs);
   py::array_t<int> result(static_cast<py::ssize_t>(poses.size()));
   int* ids = result.mutable_data();
   run_long(py::none(), [&](const MapControl& control) {
@@ -123,9 +123,9 @@ Array boxes_of(const CoreMap& map, int aspect) {
   return array_of(boxes, map.map->coordinates().size());
 }
 
-Array undecided_boxes(const CoreMap& map, const std::string& text) {
+Array undecided_boxes(const CoreMap& map, const py::object& signs) {
   std::vector<Box> boxes;
-  map.map->visit_undecided_leaves(mode_of("mode", map.robot(), text),
+  map.map->visit_undecided_leaves(mode_of("mode", map.robot(), signs),
                                   [&boxes](const Box& box) { boxes.push_back(box); });
   return array_of(boxes, map.map->coordinates().size());
 }
@@ -179,10 +179,10 @@ Array points_of(const std::vector<Eigen::Vector2d>& points) {
 }
 
 /// Polygons of each aspect and lines by kind, of one working mode in a plane.
-py::dict trace(const CoreMap& map, const std::string& text, double level, int cells) {
+py::dict trace(const CoreMap& map, const py::object& signs, double level, int cells) {
   if (cells < 2 || cells > 10'000)
     throw InvalidDescription({"cells is " + std::to_string(cells) + "; give 2 to 10000."});
-  const WorkingMode mode = mode_of("mode", map.robot(), text);
+  const WorkingMode mode = mode_of("mode", map.robot(), signs);
   const PoseSlice plane = plane_of(map, level);
   const auto picture = run_long(py::none(), [&](const MapControl&) {
     return trace_slice(*map.map, mode, plane, slice_bounds(*map.map), cells);

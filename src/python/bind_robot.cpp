@@ -97,9 +97,12 @@ py::dict lengths_of_robot(const CoreRobot& robot) {
 
 CoreRobot constrained(const CoreRobot& robot, const std::string& only, const std::string& without,
                       const std::string& margins, const std::string& tolerance) {
-  return asked_by_keywords([&] {
-    return CoreRobot{tools::choose_constraints(robot.manipulator, {only, without, margins, tolerance})};
-  });
+  try {
+    return {tools::choose_constraints(robot.manipulator, {only, without, margins, tolerance})};
+  } catch (const InvalidDescription& invalid) {
+    refuse_any(invalid.problems());
+    throw;
+  }
 }
 
 CoreRobot with_lengths(const CoreRobot& robot, const DesignValues& values, bool keep_ties) {
@@ -110,10 +113,10 @@ CoreRobot with_lengths(const CoreRobot& robot, const DesignValues& values, bool 
 }
 
 /// Shape (n, legs); rows of NaN where the mode does not reach the pose within limits.
-Array inverse_of(const CoreRobot& robot, const Array& values, const std::string& text) {
+Array inverse_of(const CoreRobot& robot, const Array& values, const py::object& signs) {
   const Manipulator& manipulator = *robot.manipulator;
   const std::vector<Pose> poses = poses_of("poses", manipulator, values);
-  const WorkingMode mode = mode_of("mode", manipulator, text);
+  const WorkingMode mode = mode_of("mode", manipulator, signs);
   const auto rows = run_long(py::none(), [&](const MapControl& control) {
     std::vector<TaskVector> solved;
     solved.reserve(poses.size());
@@ -131,9 +134,9 @@ Array inverse_of(const CoreRobot& robot, const Array& values, const std::string&
 
 /// The parallel index of each pose, shape (n,), and the serial indices, shape (n, legs); NaN where not
 /// reached.
-py::tuple indices_of(const CoreRobot& robot, const Array& values, const std::string& text) {
+py::tuple indices_of(const CoreRobot& robot, const Array& values, const py::object& signs) {
   const Manipulator& manipulator = *robot.manipulator;
-  const WorkingMode mode = mode_of("mode", manipulator, text);
+  const WorkingMode mode = mode_of("mode", manipulator, signs);
   std::vector<double> parallel;
   std::vector<TaskVector> serial;
   for (const Pose& pose : poses_of("poses", manipulator, values)) {

@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 #include <regex>
 #include <string>
+#include <utility>
 
 namespace parallel_aspects::python {
 namespace {
@@ -53,14 +54,10 @@ void bind_errors(py::module& module) {
   });
 }
 
-Problems with_keywords(const Problems& problems) {
-  Problems result;
-  for (const std::string& problem : problems) result.push_back(with_keywords(problem));
-  return result;
-}
-
 void refuse_any(const Problems& problems) {
-  if (!problems.empty()) throw InvalidDescription(with_keywords(problems));
+  Problems told;
+  for (const std::string& problem : problems) told.push_back(with_keywords(problem));
+  if (!told.empty()) throw InvalidDescription(std::move(told));
 }
 
 }  // namespace parallel_aspects::python

@@ -11,21 +11,9 @@ namespace parallel_aspects::python {
 /// Makes `InvalidDescription` a `ValueError` of the module, with all `problems`.
 void bind_errors(pybind11::module& module);
 
-/// Problems that name options of the command, as "--aspect-ratio", with keyword arguments in their place.
-Problems with_keywords(const Problems& problems);
-
-/// Throws `InvalidDescription` where there are any, with keyword arguments for options.
+/// Throws `InvalidDescription` where there are any, with keyword arguments for options such as
+/// "--aspect-ratio".
 void refuse_any(const Problems& problems);
-
-/// What `ask()` returns; the problems that it throws name keyword arguments.
-template <class Ask>
-auto asked_by_keywords(const Ask& ask) {
-  try {
-    return ask();
-  } catch (const InvalidDescription& invalid) {
-    throw InvalidDescription(with_keywords(invalid.problems()));
-  }
-}
 
 }  // namespace parallel_aspects::python
 

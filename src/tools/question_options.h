@@ -38,7 +38,7 @@ class OptionList {
   template <class Value>
   void operator()(const ask::Field& field, const Value& value) {
     options_.push_back({option_name(field.name), field.value, ask::with_names(field.help, option_name),
-                        &texts_[field.name], false, words_of(value), file_use(field)});
+                        &texts_[field.name], false, words_of(field, value), file_use(field)});
   }
 
   void operator()(const ask::Field& /*field*/, const bool& /*a flag*/) {}
@@ -53,15 +53,17 @@ class OptionList {
 
   // Of which words the text of such a value is made.
   template <class Value>
+  static Words words_of(const ask::Field& field, const Value& value) {
+    if (std::is_same_v<Value, std::string> && field.value == "LIST") return Words::names;
+    return field.value.find('=') == std::string::npos ? words_of(value) : Words::assignments;
+  }
+  template <class Value>
   static Words words_of(const Value& /*value*/) {
     return Words::one;
   }
   static Words words_of(const std::optional<Pose>& /*value*/) { return Words::numbers; }
   static Words words_of(const std::optional<JointVector>& /*value*/) { return Words::numbers; }
   static Words words_of(const std::optional<WorkingMode>& /*value*/) { return Words::signs; }
-  static Words words_of(const std::optional<MapSlice>& /*value*/) { return Words::assignments; }
-  static Words words_of(const std::vector<HeldCoordinate>& /*value*/) { return Words::assignments; }
-  static Words words_of(const std::vector<ask::NamedRange>& /*value*/) { return Words::assignments; }
   static Words words_of(const std::vector<WorkingMode>& /*value*/) { return Words::signs; }
   static Words words_of(const std::vector<double>& /*value*/) { return Words::numbers; }
   template <unsigned least, unsigned largest>

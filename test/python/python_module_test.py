@@ -293,7 +293,7 @@ BAD = {
     "boxes is 1.5": lambda robot, aspects: robot.distance((4.5, 8), "(+,-)", boxes=1.5),
     "center is (4.5, 8)": lambda robot, aspects: aspects.workspace("disc", center=(4.5, 8)),
     "center is {'x': 'x'}": lambda robot, aspects: aspects.workspace("disc", center={"x": "x"}),
-    "region has 'x=1.0'": lambda robot, aspects: robot.map(region={"x": 1, "y": (0, 1)}),
+    "region is {'x': 1": lambda robot, aspects: robot.map(region={"x": 1, "y": (0, 1)}),
     "values of crank_1 is 2.5": lambda robot, aspects: robot.sweep({"crank_1": (6, 8, 2.5)}),
     "rod_1 is 'long'": lambda robot, aspects: robot.with_lengths({"rod_1": "long"}),
     "mode is 'x'": lambda robot, aspects: robot.inverse((1, 2), "x"),

@@ -29,8 +29,6 @@ from ._text import (
     Values,
     array,
     count,
-    mode_text,
-    modes_text,
     named,
     number,
     ranges_text,
@@ -154,7 +152,7 @@ class Robot:
     def inverse(self, poses: "np.typing.ArrayLike", mode: Mode) -> np.ndarray:
         """Values of the actuated joints in a working mode [rad or m], shape (legs,) or (n, legs): NaN where a pose is
         out of reach or outside the limits."""
-        return _like(poses, self._core.inverse(array("poses", poses), mode_text(mode)))
+        return _like(poses, self._core.inverse(array("poses", poses), mode))
 
     def configurations(self, pose: "np.typing.ArrayLike") -> List[Configuration]:
         """All inverse solutions of a pose of shape (k,), within the limits: one a working mode at most."""
@@ -168,7 +166,7 @@ class Robot:
     def indices(self, poses: "np.typing.ArrayLike", mode: Mode) -> Tuple[np.ndarray, np.ndarray]:
         """The parallel index of each pose, of shape () or (n,), and the serial indices of the legs, (legs,) or (n, legs).
         Each is 0 at a singularity and 1 at most; NaN where a pose is not reached. They are no distances."""
-        parallel, serial = self._core.indices(array("poses", poses), mode_text(mode))
+        parallel, serial = self._core.indices(array("poses", poses), mode)
         return _like(poses, parallel), _like(poses, serial)
 
     def map(
@@ -193,9 +191,9 @@ class Robot:
         complete: with three degrees of freedom, looks for aspects smaller than the resolution as well, so that
             `count_at_most` may be known; takes many times as long.
         """
-        texts = ranges_text(region), values_text(slice), modes_text(modes)
+        keywords = {"resolution": resolution, "region": region, "slice": slice, "modes": modes}
         counts = count("threads", threads), count("extra_levels", extra_levels)
-        return Map(self._core.map(real("resolution", resolution), *texts, *counts, bool(complete), progress))
+        return Map(self._core.map(keywords, *counts, bool(complete), progress))
 
     def load_map(
         self,
@@ -206,8 +204,8 @@ class Robot:
         modes: "Union[None, str, Iterable[Mode]]" = None,
     ) -> Map:
         """The map that `Map.save` or `aspects map --save` wrote, if it is of this robot and these options."""
-        texts = ranges_text(region), values_text(slice), modes_text(modes)
-        return Map(self._core.load_map(os.fspath(file), real("resolution", resolution), *texts))
+        keywords = {"resolution": resolution, "region": region, "slice": slice, "modes": modes}
+        return Map(self._core.load_map(os.fspath(file), keywords))
 
     def distance(
         self, pose: "np.typing.ArrayLike", mode: Optional[Mode] = None, *, progress: Progress = None, **options: Any
@@ -323,19 +321,11 @@ class Robot:
         report: some of "count", "measures", "clearance" and "workspace", this with `shape` as `Map.workspace` has it.
         file: rows are written there as they are done, and the same call goes on where it was stopped.
         """
-        texts = {
-            "vary": varied_text(vary),
-            "report": words_text(report),
-            "sample": sample,
-            "designs": "" if designs is None else str(count("designs", designs)),
-            "resolution": "" if resolution is None else number(resolution),
-            "slice": values_text(slice),
-            "mode": modes_text(modes),
-            "shard": shard or "",
-        }
+        texts = {"vary": varied_text(vary), "report": words_text(report), "sample": sample, "shard": shard}
+        keywords = {"designs": designs, "resolution": resolution, "slice": slice, "mode": modes, "untied": untied}
         with tempfile.TemporaryDirectory() as folder:
             rows = os.fspath(file) if file is not None else os.path.join(folder, "sweep.csv")
-            self._core.sweep(rows, texts, shape, untied, count("threads", threads), progress)
+            self._core.sweep(rows, {**texts, **keywords, **shape}, count("threads", threads), progress)
             return read_sweep(rows)
 
     def uniqueness(
@@ -346,7 +336,7 @@ class Robot:
     ) -> Dict[str, Any]:
         """Which poses of an aspect have the same actuated values, and where direct solutions meet: the answer of
         `aspects uniqueness` in JSON."""
-        return self._core.uniqueness(values_text(slice), real("resolution", resolution), progress)
+        return self._core.uniqueness({"slice": slice, "resolution": resolution}, progress)
 
     def cusp_curves(self, over: "Union[str, Ranges]", progress: Progress = None) -> Dict[str, Any]:
         """The curves that cusps form while an actuated joint is held at each value of a range in turn [m or rad], as

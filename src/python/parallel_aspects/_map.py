@@ -8,7 +8,7 @@ import numpy as np
 from . import _core
 from ._fields import documented
 from ._results import Aspect, Distances, Path, Workspace, distances_of
-from ._text import Mode, array, count, mode_text, real
+from ._text import Mode, array, count, real
 
 UNDECIDED = 0  # closer to a singularity or a limit than the map can tell
 OUTSIDE = -1  # proved to lie in no aspect of the working mode
@@ -81,7 +81,7 @@ class Map:
     def locate(self, poses: "np.typing.ArrayLike", mode: Mode) -> "Union[int, np.ndarray]":
         """Which aspect holds poses of shape (k,) or (n, k) in a working mode: an id or an array of shape (n,). UNDECIDED,
         OUTSIDE and NOT_MAPPED, which are not positive, stand where no aspect is proved to."""
-        found = self._core.locate(array("poses", poses), mode_text(mode))
+        found = self._core.locate(array("poses", poses), mode)
         return int(found[0]) if np.ndim(poses) == 1 else found
 
     def boxes(self, aspect: int) -> np.ndarray:
@@ -90,7 +90,7 @@ class Map:
 
     def undecided(self, mode: Mode) -> np.ndarray:
         """The boxes of a working mode that are neither in an aspect nor proved to meet none, shape (n, d, 2)."""
-        return self._core.undecided(mode_text(mode))
+        return self._core.undecided(mode)
 
     def workspace(
         self,
@@ -139,7 +139,7 @@ class Map:
         """What `plot` draws of a working mode, in the plane of phi [rad], z [m] or torsion [rad] at this level: "polygons",
         pairs of an id and corners of shape (m, 2), and "lines", pairs of what ends there and two ends of shape (2, 2).
         Traced on a grid of `cells` squared; for pictures, not certified."""
-        return self._core.trace(mode_text(mode), real("level", level), count("cells", cells))
+        return self._core.trace(mode, real("level", level), count("cells", cells))
 
     def plot(
         self,

@@ -65,21 +65,6 @@ def number(value: float) -> str:
     return repr(real("A value", value))
 
 
-def mode_text(mode: Mode) -> str:
-    """ "(+,-)" for (1, -1); what is a text stays one."""
-    if isinstance(mode, str):
-        return mode
-    signs = {1: "+", -1: "-"}
-    return "(" + ",".join(signs.get(int(sign), "?") for sign in mode) + ")"
-
-
-def modes_text(modes: "Union[None, str, Iterable[Mode]]") -> str:
-    """ "(+,-) (-,+)" for some modes; None is all, an empty text."""
-    if modes is None or isinstance(modes, str):
-        return modes or ""
-    return " ".join(map(mode_text, modes))
-
-
 def ranges_text(ranges: "Union[None, Ranges]") -> str:
     """ "x=-1:1 y=0:2" for {"x": (-1, 1), "y": (0, 2)}."""
     if ranges is None or isinstance(ranges, str):

@@ -24,8 +24,8 @@ constexpr unsigned most_threads = 1024;
 struct SweepChoice {
   RobotChoice robot;
   ConstraintArguments constraints;
-  SweepArguments sweep;
-  QuestionTexts shape;
+  QuestionTexts texts;
+  QuestionFlags flags;
   std::string threads, file;  // empty where not given
 };
 
@@ -64,48 +64,31 @@ Report sweep(const SweepPlan& plan, const Shard& shard, const std::string& name,
   return report_sweep(plan, shard, before, file, name);
 }
 
-Report report_of(SweepChoice choice, const Surroundings& surroundings) {
+Report report_of(const SweepChoice& choice, const Surroundings& surroundings) {
   Problems problems;
-  Shard shard;
-  SweepPlan plan = parse_sweep(choice.sweep, shard, problems);
   const unsigned threads =
       choice.threads.empty() ? 0 : parse_count("--threads", choice.threads, most_threads, problems);
   check_output_file("-o", choice.file, problems);
   const auto mechanism = load_robot(choice.robot, std::move(problems));
   problems.clear();
   const auto robot = choose_constraints(mechanism->mapped_manipulator(), choice.constraints);
-  choice.sweep.shape = read_question<ask::ShapeQuestion>(*robot, choice.shape, problems);
-  if (problems.empty()) set_robot(robot, choice.sweep, plan, problems);
+  const auto arguments = read_question<SweepArguments>(*robot, choice.texts, problems, choice.flags);
+  Shard shard;
+  SweepPlan plan;
+  if (problems.empty()) plan = plan_sweep(robot, arguments, shard, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return sweep(plan, shard, choice.file, threads, surroundings);
 }
 
 std::vector<Option> options_of(SweepChoice& choice) {
-  SweepArguments& arguments = choice.sweep;
   std::vector<Option> options = robot_options(choice.robot);
-  options.push_back(
-      {"--vary", "\"crank_1=0.2:0.4:21 rod=1\"",
-       "Lengths and points by name, as `aspects describe` lists them: a value, or a range with the "
-       "number of its values [m]",
-       &arguments.vary, true, Words::assignments});
   options.push_back({"-o", "FILE", "Rows as CSV; where it is there, the same command goes on with it",
                      &choice.file, true, Words::one, FileUse::written});
-  options.push_back({"--sample", "NAME", "grid, which is the default, or sobol", &arguments.sample});
-  options.push_back({"--designs", "N", "How many designs of --sample sobol", &arguments.designs});
-  options.push_back(
-      {"--report", "LIST",
-       "What to report of each design: count, which is the default, measures, clearance, workspace",
-       &arguments.figures, false, Words::names});
-  options.push_back({"--shard", "i/n", "This part of the designs alone, i from 1; `aspects merge` joins them",
-                     &arguments.shard});
-  options.push_back({"--resolution", "R", "Of each map [m or rad]; by default what suits each design",
-                     &arguments.resolution});
-  options.push_back({"--slice", "\"z=1\"", "Map what holds these coordinates alone, as of `aspects map`",
-                     &arguments.slice, false, Words::assignments});
-  options.push_back(
-      {"--mode", "\"(+,-)\"", "Map these working modes only", &arguments.modes, false, Words::signs});
+  for (Option option : question_options<SweepArguments>(choice.texts)) {
+    option.required = option.name == "--vary";
+    options.push_back(option);
+  }
   options.push_back({"--threads", "N", "Designs at a time; by default one a core", &choice.threads});
-  for (const Option& option : question_options<ask::ShapeQuestion>(choice.shape)) options.push_back(option);
   for (const Option& option : constraint_options(choice.constraints)) options.push_back(option);
   return options;
 }
@@ -131,12 +114,10 @@ Report report_of(const MergeArguments& arguments) {
 
 Subcommand sweep_subcommand() {
   const auto choice = std::make_shared<SweepChoice>();
-  return {"sweep",
-          "Map many designs, with other lengths of links and places of joints, a row each",
+  return {"sweep", "Map many designs, with other lengths of links and places of joints, a row each",
           options_of(*choice),
           [choice](const Surroundings& surroundings) { return report_of(*choice, surroundings); },
-          {{"--untied", "Vary parameters alone that symmetries of the robot tie to each other",
-            &choice->sweep.untied}}};
+          question_flags<SweepArguments>(choice->flags)};
 }
 
 Subcommand merge_subcommand() {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/sweep/sweep_arguments.h"
 
-#include "tools/arguments.h"
 #include "tools/numbers.h"
 #include "tools/report/option_name.h"
 
@@ -12,15 +11,9 @@ namespace {
 
 constexpr unsigned most_shards = 1'000'000;
 
-SweepSample parse_sample(const std::string& text, Problems& problems) {
-  if (!text.empty() && text != "grid" && text != "sobol")
-    problems.push_back("--sample is '" + text + "'; give grid or sobol.");
-  return text == "sobol" ? SweepSample::sobol : SweepSample::grid;
-}
-
 std::size_t parse_designs(const SweepArguments& arguments, const SweepPlan& plan, Problems& problems) {
   if (plan.sample == SweepSample::grid) {
-    if (!arguments.designs.empty())
+    if (arguments.designs)
       problems.emplace_back(
           "--designs is of --sample sobol; a grid has as many as its values make. Leave it out.");
     const std::size_t size = grid_size(plan.varied);
@@ -29,11 +22,9 @@ std::size_t parse_designs(const SweepArguments& arguments, const SweepPlan& plan
                          " designs; give fewer values.");
     return size;
   }
-  const std::size_t count =
-      arguments.designs.empty() ? 0 : parse_count("--designs", arguments.designs, most_designs, problems);
-  if (count == 0 && problems.empty())
+  if (!arguments.designs)
     problems.emplace_back("--sample sobol takes --designs, 1 or more; give how many designs are wanted.");
-  return count;
+  return arguments.designs ? arguments.designs->value : 0;
 }
 
 Shard parse_shard(const std::string& text, Problems& problems) {
@@ -72,11 +63,9 @@ DesignQuestion parse_figures(const std::string& text, Problems& problems) {
 void take_map_options(const SweepArguments& arguments, const Manipulator& manipulator,
                       DesignQuestion& question, Problems& problems) {
   question.map.threads = 1;  // one a design
-  if (!arguments.resolution.empty())
-    question.map.resolution = parse_positive("--resolution", arguments.resolution, problems);
-  if (!arguments.slice.empty())
-    question.map.slice = parse_slice("--slice", manipulator, arguments.slice, problems);
-  question.map.modes = parse_modes("--mode", manipulator, arguments.modes, problems);
+  question.map.resolution = arguments.resolution;
+  question.map.slice = arguments.slice;
+  question.map.modes = arguments.modes;
   if (!question.workspace && (arguments.shape.shape || !arguments.shape.aspect_ratio.empty()))
     problems.emplace_back("--shape is of --report workspace; ask for that, or leave it out.");
   if (!question.workspace) return;
@@ -107,23 +96,21 @@ void check_parameters(const SweepPlan& plan, Problems& problems) {
 
 }  // namespace
 
-SweepPlan parse_sweep(const SweepArguments& arguments, Shard& shard, Problems& problems) {
+SweepPlan plan_sweep(std::shared_ptr<const Manipulator> robot, const SweepArguments& arguments, Shard& shard,
+                     Problems& problems) {
   SweepPlan plan;
-  plan.sample = parse_sample(arguments.sample, problems);
+  plan.robot = std::move(robot);
+  plan.sample = arguments.sample.value_or(SweepSample::grid);
   plan.varied = parse_varied(arguments.vary, plan.sample, problems);
   plan.keep_ties = !arguments.untied;
   if (problems.empty()) plan.count = parse_designs(arguments, plan, problems);
   plan.question = parse_figures(arguments.figures, problems);
   shard = parse_shard(arguments.shard, problems);
-  return plan;
-}
-
-void set_robot(std::shared_ptr<const Manipulator> robot, const SweepArguments& arguments, SweepPlan& plan,
-               Problems& problems) {
-  plan.robot = std::move(robot);
+  if (!problems.empty()) return plan;
   take_map_options(arguments, *plan.robot, plan.question, problems);
   refuse_six_degrees(*plan.robot, plan.question, problems);
   check_parameters(plan, problems);
+  return plan;
 }
 
 }  // namespace parallel_aspects::tools

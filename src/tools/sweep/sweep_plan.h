@@ -43,7 +43,7 @@ std::vector<VariedParameter> parse_varied(const std::string& text, SweepSample s
 
 /// How many designs a grid has; 0 where that is more than `most_designs`.
 std::size_t grid_size(const std::vector<VariedParameter>& varied);
-inline constexpr std::size_t most_designs = 100'000'000;
+inline constexpr unsigned most_designs = 100'000'000;
 
 /// The values of a design, by its number from 0.
 DesignValues values_of(const SweepPlan& plan, std::size_t design);
