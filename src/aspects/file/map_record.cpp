@@ -4,6 +4,7 @@
 #include "aspects/file/graph_record.h"
 #include "aspects/file/pose_record.h"
 #include "aspects/file/tree_bytes.h"
+#include "aspects/map/map_location.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +12,6 @@
 
 namespace parallel_aspects {
 namespace {
-
-std::size_t mode_index(const AspectMap::Contents& map, const WorkingMode& mode) {
-  return static_cast<std::size_t>(std::find(map.modes.begin(), map.modes.end(), mode) - map.modes.begin());
-}
 
 void write_bounds(const Box& box, ByteWriter& writer) {
   writer.put_u8(static_cast<std::uint8_t>(box.dimension));
@@ -25,7 +22,7 @@ void write_bounds(const Box& box, ByteWriter& writer) {
 }
 
 void write_aspect(const AspectMap::Contents& map, const Aspect& aspect, ByteWriter& writer) {
-  writer.put_u8(static_cast<std::uint8_t>(mode_index(map, aspect.mode)));
+  writer.put_u8(static_cast<std::uint8_t>(*mode_index(map, aspect.mode)));
   writer.put_u8(aspect.determinant_sign > 0 ? 1 : 0);
   writer.put_double(aspect.measure);
   writer.put_double(aspect.measure_lower);
