@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints a table of docs/uniqueness.md: paths around the cusps of the 3-RPR, played into the tracker with
+// Prints a table of docs/benchmarks.md: paths around the cusps of the 3-RPR, played into the tracker with
 // noise of its encoders. Usage: cusp_campaign
 #include "motion/choose/cusp_paths.h"
 #include "motion/choose/plan_around_cusp.h"
