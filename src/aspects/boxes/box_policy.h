@@ -5,7 +5,7 @@
 namespace parallel_aspects {
 
 /// Which proofs are tried on an undecided box, and how hard. None of this can make a proof wrong: what is not
-/// tried is not known. `benchmark/component_ablation` switches each off; see docs/benchmarks_maps.md.
+/// tried is not known. `benchmark/component_ablation` switches each off; see docs/benchmarks.md.
 struct BoxPolicy {
   // The proofs, each as docs/maps.md names it.
   bool wedges = true;
