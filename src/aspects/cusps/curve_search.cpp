@@ -14,9 +14,13 @@ namespace {
 
 class CurveSearch {
  public:
-  CurveSearch(CuspFamily& family, const TraceBounds& bounds, std::size_t most_boxes,
+  CurveSearch(CuspFamily& family, const TraceBounds& bounds, std::size_t most_evaluations,
               const MapControl& control)
-      : family_(family), bounds_(bounds), most_boxes_(most_boxes), control_(control), cores_(bounds) {
+      : family_(family),
+        bounds_(bounds),
+        most_evaluations_(most_evaluations),
+        control_(control),
+        cores_(bounds) {
     // Curves are followed a little farther, so that what touches the range from outside is known, too.
     const double more = 0.01 * (bounds.upper - bounds.lower);
     trace_bounds_ = bounds;
@@ -31,12 +35,13 @@ class CurveSearch {
     whole.upper[2] = bounds_.upper;
     boxes_.push_back(whole);
     double done = 0.0;
-    for (std::size_t effort = 0; !boxes_.empty(); ++effort) {
-      if (effort % 1024 == 0) tell(done / whole.measure(), effort);
+    for (std::size_t count = 0; !boxes_.empty(); ++count) {
+      const std::size_t effort = family_.evaluations();
+      if (count % 1024 == 0) tell(done / whole.measure(), effort);
       const Box box = boxes_.back();
       boxes_.pop_back();
       const std::size_t left = boxes_.size();
-      if (effort >= most_boxes_ || is_cancelled(control_)) stopped_ = true;
+      if (effort >= most_evaluations_ || is_cancelled(control_)) stopped_ = true;
       if (stopped_ || !examine(box)) result_.undecided.push_back(box);
       if (boxes_.size() == left) done += box.measure();
     }
@@ -47,7 +52,7 @@ class CurveSearch {
   /// The search ends with the last box or the last of the effort; each box brings one of both nearer.
   void tell(double done, std::size_t effort) const {
     if (!control_.progress) return;
-    const double spent = std::min(1.0, static_cast<double>(effort) / static_cast<double>(most_boxes_));
+    const double spent = std::min(1.0, static_cast<double>(effort) / static_cast<double>(most_evaluations_));
     control_.progress(done + (1.0 - done) * spent);
   }
 
@@ -125,7 +130,7 @@ class CurveSearch {
 
   CuspFamily& family_;
   TraceBounds bounds_, trace_bounds_;
-  std::size_t most_boxes_;
+  std::size_t most_evaluations_;
   const MapControl& control_;
   std::vector<Box> boxes_;
   TubeIndex cores_;
@@ -136,10 +141,10 @@ class CurveSearch {
 
 }  // namespace
 
-CuspTraces find_cusp_traces(CuspFamily& family, const TraceBounds& bounds, std::size_t most_boxes,
+CuspTraces find_cusp_traces(CuspFamily& family, const TraceBounds& bounds, std::size_t most_evaluations,
                             const MapControl& control) {
   assert_rounding_upward();
-  return CurveSearch(family, bounds, most_boxes, control).run();
+  return CurveSearch(family, bounds, most_evaluations, control).run();
 }
 
 }  // namespace parallel_aspects

@@ -20,11 +20,11 @@ struct CuspTraces {
 
 /// Boxes of the family are excluded by bounds, as those of a slice are by `find_cusp_boxes`, or hold one arc
 /// of a curve by `test_tube`. That is followed both ways, unless a tube of a curve that is known holds a
-/// point of it. So closed curves are found like any others. After `most_boxes` those that are left are
+/// point of it. So closed curves are found like any others. After `most_evaluations` those that are left are
 /// undecided.
 ///
 /// Needs a live `RoundingUpward`.
-CuspTraces find_cusp_traces(CuspFamily& family, const TraceBounds& bounds, std::size_t most_boxes,
+CuspTraces find_cusp_traces(CuspFamily& family, const TraceBounds& bounds, std::size_t most_evaluations,
                             const MapControl& control);
 
 }  // namespace parallel_aspects

@@ -22,6 +22,7 @@ Interval held_values(const Box& box) noexcept {
 }
 
 bool CuspFamily::may_hold_cusp(const Box& box) noexcept {
+  ++evaluations_;
   slice_.hold(held_values(box));
   const SlicePlace place = slice_.place(box);
   if (slice_.within_limits(posture_, place) == Verdict::fails) return false;
@@ -64,7 +65,8 @@ std::optional<FamilyFunctions> CuspFamily::at(const MapPoint& point) noexcept {
   return functions(SlicePlace(std::array<double, 2>{point[0], point[1]}));
 }
 
-std::optional<FamilyFunctions> CuspFamily::functions(const SlicePlace& at) const noexcept {
+std::optional<FamilyFunctions> CuspFamily::functions(const SlicePlace& at) noexcept {
+  ++evaluations_;
   const auto legs = legs_over(slice_, posture_, at);
   if (!legs || !are_regular(*legs)) return std::nullopt;
   const CuspFunctions<1> over(*legs, at.over());

@@ -44,11 +44,15 @@ class CuspFamily {
   std::optional<FamilyFunctions> over(const Box& box) noexcept;
   std::optional<FamilyFunctions> at(const MapPoint& point) noexcept;
 
+  /// How often the functions were evaluated: the work that was done, whatever the machine.
+  std::size_t evaluations() const noexcept { return evaluations_; }
+
  private:
-  std::optional<FamilyFunctions> functions(const SlicePlace& at) const noexcept;
+  std::optional<FamilyFunctions> functions(const SlicePlace& at) noexcept;
 
   PlanarHeldSlice slice_;
   SlicePosture posture_;
+  std::size_t evaluations_ = 0;
 };
 
 /// The values that are held in a box [m or rad].

@@ -16,8 +16,8 @@
 namespace parallel_aspects {
 namespace {
 
-// Boxes that are looked at in all postures, so that an answer comes within minutes.
-constexpr std::size_t most_boxes_for_curves = 5000000;
+// Evaluations of the cusp functions in all postures, so that an answer comes within minutes.
+constexpr std::size_t most_evaluations_for_curves = 5000000;
 
 HeldJoint middle_of(const Manipulator& manipulator, const HeldRange& range) {
   return {range.leg, 0.5 * (range.lower + range.upper), manipulator.leg(range.leg).actuated_by_angle()};
@@ -68,7 +68,8 @@ class CurvesOfRange {
     const double share = 1.0 / static_cast<double>(postures.size());
     for (std::size_t i = 0; i < postures.size(); ++i) {
       const double done = share * static_cast<double>(i);
-      find_in(postures[i], most_boxes_for_curves / postures.size(), part_of(control, done, done + share));
+      find_in(postures[i], most_evaluations_for_curves / postures.size(),
+              part_of(control, done, done + share));
     }
     result_.undecided = merged(std::move(result_.undecided));
     result_.complete = result_.undecided.empty() && !is_cancelled(control);
@@ -77,12 +78,12 @@ class CurvesOfRange {
   }
 
  private:
-  void find_in(const SlicePosture& posture, std::size_t most_boxes, const MapControl& control) {
+  void find_in(const SlicePosture& posture, std::size_t most_evaluations, const MapControl& control) {
     std::vector<CurveRun> runs;
     {
       const RoundingUpward rounding;
       CuspFamily family(*slice_, posture);
-      const CuspTraces found = find_cusp_traces(family, bounds_, most_boxes, control);
+      const CuspTraces found = find_cusp_traces(family, bounds_, most_evaluations, control);
       for (const Box& box : found.undecided) add_undecided(box);
       for (const CuspTrace& trace : found.traces) add_runs(trace, family, control, runs);
     }
