@@ -181,7 +181,7 @@ TrajectoryCheck check_trajectory(const SegmentCertifier& certifier,
 /// actuated joints, as `BoundaryDistanceMeter` measures it, proved [m].
 struct SampleDistances {
   bool measured = false;  ///< here; else by how far the robot moves to where it was
-  std::array<double, 3> lower{};
+  std::array<double, 3> lower{};  ///< bounds, in that order
 };
 
 /// Of every sample of a check, measured at `points` of them, evenly by time; none for no points.
