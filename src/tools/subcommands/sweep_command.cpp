@@ -74,8 +74,9 @@ Report report_of(const SweepChoice& choice, const Surroundings& surroundings) {
   const auto robot = choose_constraints(mechanism->mapped_manipulator(), choice.constraints);
   const auto arguments = read_question<SweepArguments>(*robot, choice.texts, problems, choice.flags);
   Shard shard;
-  SweepPlan plan;
-  if (problems.empty()) plan = plan_sweep(robot, arguments, shard, problems);
+  Problems more;
+  const SweepPlan plan = plan_sweep(robot, arguments, shard, more);
+  problems.insert(problems.end(), more.begin(), more.end());
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return sweep(plan, shard, choice.file, threads, surroundings);
 }
