@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_file.h"
 
 #include <benchmark/benchmark.h>
 

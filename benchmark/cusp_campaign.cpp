@@ -4,9 +4,8 @@
 // noise of its encoders. Usage: cusp_campaign
 #include "motion/choose/cusp_paths.h"
 #include "motion/choose/plan_around_cusp.h"
-#include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/map_slice.h"
-#include "parallel_aspects/kinematics/direct.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/tracking/tracker.h"
 
 #include "support/campaign_figures.h"

@@ -3,7 +3,6 @@
 // a map of the default resolution.
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/distance/distance_map.h"
 
 #include <benchmark/benchmark.h>
 

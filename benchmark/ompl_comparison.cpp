@@ -9,8 +9,7 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/motion/plan_path.h"
-#include "parallel_aspects/ompl/aspect_validity.h"
-#include "parallel_aspects/ompl/pose_state_space.h"
+#include "parallel_aspects/ompl/aspect_space_information.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include "support/campaign_figures.h"

@@ -3,7 +3,6 @@
 // Prints a table of docs/planning.md: short, clear, fast and quick paths between the same random
 // configurations. Usage: preference_campaign PAIRS [ROBOT...]
 #include "parallel_aspects/motion/plan_path.h"
-#include "parallel_aspects/motion/time_path.h"
 
 #include "support/campaign_figures.h"
 #include "support/pose_pairs.h"

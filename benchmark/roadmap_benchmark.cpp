@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/aspects/same_aspect.h"
 
 #include <benchmark/benchmark.h>
 

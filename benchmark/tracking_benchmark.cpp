@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "motion/local_motion.h"
+#include "motion/demo_rounds.h"
 #include "motion/roadmap.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/tracking/tracker.h"
 
 #include <benchmark/benchmark.h>

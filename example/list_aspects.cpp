@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lists the aspects of a robot, and says in which of them it is at a pose: list_aspects URDF YAML X Y
 #include <parallel_aspects/aspects/aspect_map.h>
-#include <parallel_aspects/kinematics/inverse.h>
+#include <parallel_aspects/kinematics/kinematics.h>
 #include <parallel_aspects/model/problems.h>
 #include <parallel_aspects/urdf/mechanism.h>
 

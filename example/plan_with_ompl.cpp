@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // OMPL takes the planar 3-RPR from one assembly mode to another: the struts are as long at the goal as at the
 // start, and nowhere on the way is the robot singular, which is proved.
-#include <parallel_aspects/ompl/aspect_validity.h>
-#include <parallel_aspects/ompl/pose_state_space.h>
-#include <parallel_aspects/urdf/models.h>
+#include <parallel_aspects/ompl/aspect_space_information.h>
+#include <parallel_aspects/urdf/mechanism.h>
 
 #include <iostream>
 #include <ompl/base/ScopedState.h>

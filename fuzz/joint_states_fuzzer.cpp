@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model/coefficients.h"
+#include "model/linear_algebra.h"
 #include "ros/joint_states/joint_sample.h"
 #include "ros/joint_states/publisher_watch.h"
 

@@ -2,7 +2,7 @@
 //
 // joint_states in to ~state out, against a bare relay node: messages to both in turn, from one program, in
 // one run. Parameters: ~rate [Hz], ~seconds.
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/urdf/mechanism.h"
 
 #include <parallel_aspects/AspectState.h>

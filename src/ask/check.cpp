@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ask/check.h"
 
-#include "model/pose_text.h"
+#include "model/message_text.h"
 #include "urdf/description/nearest_name.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ask/choose.h"
 
-#include "ask/named_ranges.h"
+#include "ask/question_parts.h"
 
 #include <utility>
 

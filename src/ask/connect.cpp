@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ask/connect.h"
 
-#include "ask/slice_ends.h"
-#include "aspects/map/map_location.h"
+#include "ask/question_parts.h"
+#include "aspects/map/map_contents.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ask/cusp_path.h"
 
-#include "ask/path_ends.h"
+#include "ask/question_parts.h"
 #include "aspects/tree/held_joint_example.h"
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "motion/choose/plan_around_cusp.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 

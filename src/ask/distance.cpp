@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ask/distance.h"
 
-#include "parallel_aspects/distance/distance_map.h"
-#include "parallel_aspects/singularity/margins.h"
+#include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include <utility>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ask/kinematics.h"
 
-#include "model/number_text.h"
-#include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/singularity/margins.h"
+#include "model/message_text.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>
 #include <utility>

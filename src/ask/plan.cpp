@@ -2,9 +2,8 @@
 #include "parallel_aspects/ask/plan.h"
 
 #include "ask/cusp_path.h"
-#include "ask/path_ends.h"
-#include "ask/slice_ends.h"
-#include "model/number_text.h"
+#include "ask/question_parts.h"
+#include "model/message_text.h"
 #include "motion/plan/end_aspects.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ask/session.h"
 
-#include "parallel_aspects/aspects/aspect_graph.h"
-#include "parallel_aspects/aspects/map_file.h"
-#include "parallel_aspects/distance/distance_map.h"
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/connectivity.h"
+#include "parallel_aspects/distance/boundary_distances.h"
 
 #include <utility>
 

@@ -5,7 +5,7 @@
 #include "distance/leg_search.h"
 #include "distance/parallel_search.h"
 #include "model/task_space_traits.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/problems.h"
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/distance/distance_map.h"
-
 #include "aspects/map/map_contents.h"
 #include "distance/singular_leaves.h"
+#include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/model/problems.h"
 
 #include <utility>

@@ -3,12 +3,11 @@
 #define PARALLEL_ASPECTS_DISTANCE_MAP_SEARCH_H
 
 #include "aspects/map/map_contents.h"
-#include "aspects/map/map_location.h"
 #include "distance/cell.h"
 #include "distance/leaf_view.h"
 #include "distance/local_chart.h"
 #include "distance/singular_leaves.h"
-#include "parallel_aspects/distance/distance_map.h"
+#include "parallel_aspects/distance/boundary_distances.h"
 
 #include <algorithm>
 #include <cstddef>

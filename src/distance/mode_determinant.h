@@ -7,9 +7,8 @@
 #include "distance/local_chart.h"
 #include "distance/quadratic_form.h"
 #include "distance/regular_ball.h"
-#include "distance/root_lines.h"
 #include "legs/determinant.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <array>
 #include <cstddef>

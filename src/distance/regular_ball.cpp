@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "distance/regular_ball.h"
 
-#include "distance/positive_definite.h"
-#include "interval/rounding.h"
+#include "distance/cubic_form.h"
+#include "interval/interval.h"
 
 #include <Eigen/LU>
 

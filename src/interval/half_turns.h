@@ -45,6 +45,10 @@ Turn<Dual<N, Value>> turn_of_half_turns(const Dual<N, Value>& a) noexcept {
   return result;
 }
 
+/// `turn_of_half_turns`, which each thread remembers for some hundred of the last angles: sines cost more
+/// than many other operations. The result is valid until the next call.
+const Turn<Interval>& remembered_turn(const Interval& a) noexcept;
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_INTERVAL_HALF_TURNS_H

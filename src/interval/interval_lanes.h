@@ -5,7 +5,6 @@
 #include "interval/half_turns.h"
 #include "interval/interval.h"
 #include "interval/lanes.h"
-#include "interval/turn_memory.h"
 
 #include <cstddef>
 

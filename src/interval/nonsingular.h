@@ -4,7 +4,7 @@
 
 #include "interval/interval.h"
 #include "interval/path_form.h"
-#include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/model/pose.h"
 
 #include <array>
 #include <cstddef>

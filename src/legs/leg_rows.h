@@ -5,7 +5,7 @@
 #include "interval/dual.h"
 #include "interval/interval.h"
 #include "legs/determinant.h"
-#include "model/matrix_row.h"
+#include "model/task_space_traits.h"
 
 #include <array>
 #include <cstddef>

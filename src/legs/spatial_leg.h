@@ -8,7 +8,6 @@
 #include "interval/scalar_range.h"
 #include "legs/limit_verdict.h"
 #include "legs/link_points.h"
-#include "legs/rod_on_arc.h"
 #include "parallel_aspects/model/leg.h"
 
 #include <array>

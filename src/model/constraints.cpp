@@ -2,7 +2,7 @@
 #include "parallel_aspects/model/constraints.h"
 
 #include "model/angles.h"
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "model/task_space_traits.h"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
@@ -41,6 +42,18 @@ Eigen::Quaterniond shortest_rotation(const Eigen::Vector3d& from, const Eigen::V
   if (middle.norm() < 1e-7) return Eigen::Quaterniond(Eigen::AngleAxisd(pi, a.unitOrthogonal()));
   const Eigen::Vector3d half = middle.normalized(), axis = a.cross(half);
   return Eigen::Quaterniond(a.dot(half), axis.x(), axis.y(), axis.z()).normalized();
+}
+
+double determinant(const TaskMatrix& matrix) { return matrix.determinant(); }
+
+TaskMatrix inverse(const TaskMatrix& matrix) { return matrix.inverse(); }
+
+TaskVector solution(const TaskMatrix& matrix, const TaskVector& right) {
+  return matrix.partialPivLu().solve(right);
+}
+
+TaskVector singular_values(const TaskMatrix& matrix) {
+  return Eigen::JacobiSVD<TaskMatrix, Eigen::NoQRPreconditioner>(matrix).singularValues();
 }
 
 }  // namespace parallel_aspects

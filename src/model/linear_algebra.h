@@ -2,14 +2,38 @@
 #ifndef PARALLEL_ASPECTS_MODEL_LINEAR_ALGEBRA_H
 #define PARALLEL_ASPECTS_MODEL_LINEAR_ALGEBRA_H
 
-#include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/model/pose.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <type_traits>
+
+namespace parallel_aspects {
+
+/// From `first` to before `last`.
+template <class Scalar>
+struct CoefficientRange {
+  Scalar* first;
+  Scalar* last;
+
+  Scalar* begin() const noexcept { return first; }
+  Scalar* end() const noexcept { return last; }
+};
+
+/// The coefficients of a vector, for range-for and algorithms; valid as long as the vector keeps its size.
+/// Eigen 3.3, of Ubuntu 20.04, has no begin() and end() of its own.
+template <class Vector>
+auto coefficients_of(Vector& vector) noexcept {
+  using Plain = std::remove_const_t<Vector>;
+  static_assert(Plain::IsVectorAtCompileTime && std::is_base_of_v<Eigen::PlainObjectBase<Plain>, Plain>,
+                "only a vector of its own has its coefficients one after the other");
+  using Scalar = std::remove_pointer_t<decltype(vector.data())>;
+  return CoefficientRange<Scalar>{vector.data(), vector.data() + vector.size()};
+}
+
 // Eigen's decompositions behind plain functions: each is compiled once. In a source of their own they take up
 // to forty seconds.
-namespace parallel_aspects {
 
 /// M = U diag(values) V^T of a matrix of m rows and n columns.
 struct SingularValueDecomposition {

@@ -2,12 +2,13 @@
 #ifndef PARALLEL_ASPECTS_MOTION_ASSEMBLY_SURVEY_H
 #define PARALLEL_ASPECTS_MOTION_ASSEMBLY_SURVEY_H
 
-#include "motion/proved_solution.h"
 #include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/aspects/segment_certifier.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
+#include "tracking/pose_certifier.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,37 @@
 #include <vector>
 
 namespace parallel_aspects {
+
+/// A direct solution that is proved: the ball about the pose holds exactly one pose that the actuated values,
+/// as the numbers that they are, assemble with. A path in the ball without singularities and within all
+/// constraints leads from there to `pose` itself, in this working mode, so that both lie in one aspect.
+struct ProvedSolution {
+  Pose pose;                 ///< in the task frame
+  WorkingMode mode;          ///< of both
+  int determinant_sign = 0;  ///< of both, 1 or -1
+  double radius = 0.0;       ///< of the ball, in the metric of `PoseCertifier::distance` [m]
+};
+
+/// Proves direct solutions in every task space. Immutable; may be used from any number of threads.
+class SolutionProver {
+ public:
+  explicit SolutionProver(const SegmentCertifier& segments);
+
+  /// The solution that Newton's method leads to from a pose; nothing where one of this is not proved.
+  std::optional<ProvedSolution> prove(const JointVector& q, const Pose& near) const;
+
+  /// Whether what lies in the balls is not the same.
+  bool differ(const ProvedSolution& first, const ProvedSolution& second) const;
+
+ private:
+  std::optional<WorkingMode> mode_of(const CertifiedPoint& point, double radius) const;
+
+  const Manipulator& manipulator() const { return *segments_.manipulator(); }
+
+  SegmentCertifier segments_;
+  PoseCertifier certifier_;
+  TaskVector allowance_;
+};
 
 /// Numbers of poses, by the number of direct solutions that their actuated values have.
 using PosesBySolutions = std::map<std::size_t, std::size_t>;

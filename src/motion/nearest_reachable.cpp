@@ -2,8 +2,8 @@
 #include "motion/nearest_reachable.h"
 
 #include "aspects/roadmap/pose_sampler.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <Eigen/Cholesky>
 

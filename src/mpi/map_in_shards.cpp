@@ -2,12 +2,12 @@
 #include "mpi/map_in_shards.h"
 
 #include "aspects/shards/sharded_map.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/problems.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/numbers.h"
-#include "tools/report/text_table.h"
+#include "tools/report/report.h"
 
 #include <chrono>
 #include <cstdio>

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "python/python_errors.h"
+#include "python/bindings.h"
 #include <algorithm>
 #include <cmath>
 

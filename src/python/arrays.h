@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_PYTHON_ARRAYS_H
 
 #include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 

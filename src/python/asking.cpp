@@ -4,7 +4,7 @@
 #include "tools/arguments.h"
 #include "tools/report/answer_json.h"
 #include "tools/report/basins_report.h"
-#include "tools/report/slice_report.h"
+#include "tools/report/report.h"
 
 #include <nlohmann/json.hpp>
 

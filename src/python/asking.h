@@ -8,12 +8,10 @@
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
-#include "parallel_aspects/motion/time_path.h"
+#include "parallel_aspects/motion/plan_path.h"
 
 #include "python/arrays.h"
 #include "python/bindings.h"
-#include "python/long_call.h"
-#include "python/python_errors.h"
 #include <optional>
 #include <pybind11/pybind11.h>
 #include <string>

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/uniqueness.h"
-#include "tools/held_range.h"
+#include "tools/arguments.h"
 #include "tools/report/uniqueness_report.h"
 #include "tools/sweep/sweep_arguments.h"
 #include "tools/sweep/sweep_file.h"
-#include "tools/sweep/sweep_run.h"
 
 #include "python/arrays.h"
 #include "python/asking.h"
 #include "python/bindings.h"
-#include "python/long_call.h"
-#include "python/python_errors.h"
 #include <pybind11/stl.h>
 #include <utility>
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ask/named_ranges.h"
-#include "parallel_aspects/aspects/boundary_curves.h"
-#include "parallel_aspects/aspects/map_file.h"
-#include "parallel_aspects/aspects/pose_slice.h"
+#include "ask/question_parts.h"
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/map_pictures.h"
 
 #include "python/arrays.h"
 #include "python/asking.h"
 #include "python/bindings.h"
-#include "python/long_call.h"
-#include "python/python_errors.h"
 #include <pybind11/stl.h>
 #include <utility>
 

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/design.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
-#include "parallel_aspects/urdf/models.h"
+#include "parallel_aspects/urdf/mechanism.h"
 #include "tools/arguments.h"
 #include "tools/shipped_robots.h"
 
 #include "python/arrays.h"
 #include "python/bindings.h"
-#include "python/long_call.h"
-#include "python/python_errors.h"
 #include <array>
 #include <limits>
 #include <pybind11/stl.h>

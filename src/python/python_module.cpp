@@ -2,7 +2,6 @@
 // The compiled part of the Python module. Functions take texts as the command does, and arrays; they return
 // arrays and dictionaries, of which the module makes its own objects.
 #include "python/bindings.h"
-#include "python/python_errors.h"
 
 PYBIND11_MODULE(_core, module) {
   namespace pa = parallel_aspects::python;

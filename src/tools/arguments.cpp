@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/arguments.h"
 
+#include "ask/question_parts.h"
 #include "aspects/tree/held_joint_example.h"
-#include "model/number_text.h"
-#include "parallel_aspects/aspects/held_joint.h"
-#include "parallel_aspects/aspects/pose_slice.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "model/message_text.h"
+#include "parallel_aspects/aspects/map_pictures.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "tools/computation.h"
 #include "tools/numbers.h"
 #include "tools/subcommands.h"
@@ -13,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -197,6 +200,158 @@ std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipul
 std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipulator> manipulator,
                                                    const RoadmapOptions& options, const MapControl& control) {
   return required(compute_pose_roadmap(std::move(manipulator), options, control)).roadmap;
+}
+
+namespace {
+
+/// The name and the numbers behind it, with colons between them; nothing, with a message, for another text.
+std::optional<std::pair<std::string, std::vector<double>>> named_numbers(const std::string& option,
+                                                                         const std::string& word,
+                                                                         std::size_t count,
+                                                                         const std::string& example,
+                                                                         Problems& problems) {
+  const std::size_t equals = word.find('=');
+  const auto parts = split_at(':', equals == std::string::npos ? "" : word.substr(equals + 1));
+  if (equals == std::string::npos || equals == 0 || parts.size() != count) {
+    problems.push_back(option + " has '" + word + "'; give " + example + ".");
+    return std::nullopt;
+  }
+  const std::size_t known = problems.size();
+  std::vector<double> numbers;
+  for (const std::string& part : parts)
+    for (const double number : parse_numbers(option, part, {word.substr(0, equals)}, problems))
+      numbers.push_back(number);
+  if (problems.size() > known) {  // told already; what follows says no more of it
+    numbers.resize(count);
+    std::iota(numbers.begin(), numbers.end(), 0.0);
+  }
+  return std::pair{word.substr(0, equals), std::move(numbers)};
+}
+
+}  // namespace
+
+std::vector<double> parse_ratio(const std::string& option, std::string text, Problems& problems) {
+  std::replace(text.begin(), text.end(), ':', ' ');
+  std::vector<double> numbers;
+  for (const std::string& word : split_words(text))
+    for (const double number : parse_numbers(option, word, {"number"}, problems)) numbers.push_back(number);
+  return numbers;
+}
+
+std::vector<HeldCoordinate> parse_values(const std::string& option, const std::string& text,
+                                         Problems& problems) {
+  std::vector<HeldCoordinate> values;
+  for (const std::string& word : words_of_list(text))
+    if (auto found = named_numbers(option, word, 1, "names with their values, such as \"x=0.5\"", problems))
+      values.push_back({std::move(found->first), found->second[0]});
+  return values;
+}
+
+std::vector<ask::NamedRange> parse_ranges(const std::string& option, const std::string& text,
+                                          Problems& problems, const std::string& example) {
+  std::vector<ask::NamedRange> ranges;
+  for (const std::string& word : words_of_list(text))
+    if (auto found = named_numbers(option, word, 2, example, problems))
+      ranges.push_back({std::move(found->first), found->second[0], found->second[1]});
+  return ranges;
+}
+
+Box parse_region(const std::string& option, const std::vector<std::string>& names, const std::string& text,
+                 Problems& problems) {
+  const auto ranges = parse_ranges(option, text, problems, ask::example_of_ranges(names));
+  ask::ProblemList found;
+  const Box box = ask::box_of("region", names, ranges, found);
+  for (const std::string& each : texts_of(found, [&option](const std::string&) { return option; }))
+    problems.push_back(each);
+  return box;
+}
+
+namespace {
+
+/// The leg whose actuated joint has this name; else a problem.
+std::optional<std::size_t> leg_of(const std::string& option, const Manipulator& robot,
+                                  const std::string& joint, Problems& problems) {
+  if (const auto leg = leg_of_joint(robot, joint)) return leg;
+  std::string joints;
+  for (const Leg& leg : robot.legs()) joints += (joints.empty() ? "" : ", ") + leg.actuated_joint;
+  problems.push_back(option + " names '" + joint + "'; give one of the actuated joints: " + joints + ".");
+  return std::nullopt;
+}
+
+/// The range after "=" in `text`; a problem where there is none.
+void read_range(const std::string& option, const Manipulator& robot, const std::string& text,
+                HeldRange& range, Problems& problems) {
+  const std::vector<std::string> ends = split_at(':', text.substr(text.find('=') + 1));
+  if (ends.size() != 2 || ends[0].empty() || ends[1].empty() || words_of_list(text).size() != 1) {
+    problems.push_back(option + " has '" + text + "'; give the ends of a range, such as " +
+                       example_of_held_range(robot, range.leg) + ".");
+    return;
+  }
+  const auto values = parse_numbers(option, ends[0] + " " + ends[1], {"lower", "upper"}, problems);
+  range.lower = values[0];
+  range.upper = values[1];
+}
+
+/// The joint that is held, and where; nothing, with a problem, where `text` is no actuated joint with a
+/// value.
+std::optional<HeldJoint> read_held_joint(const std::string& option, const Manipulator& robot,
+                                         const std::string& text, Problems& problems) {
+  const std::vector<std::string> words = words_of_list(text);
+  const std::string word = words.empty() ? "" : words.front();
+  const std::size_t equals = word.find('=');
+  const std::string joint = word.substr(0, equals);
+  if (equals == std::string::npos || words.size() != 1) {
+    const auto named = leg_of_joint(robot, joint);
+    const std::string example = named ? example_of_held_joint(robot, *named) : "";
+    problems.push_back(option + " has '" + text + "'; give one actuated joint with its value, such as " +
+                       (example.empty() ? example_of_held_joint(robot) : example) + ".");
+    return std::nullopt;
+  }
+  const auto leg = leg_of(option, robot, joint, problems);
+  if (!leg) return std::nullopt;
+  const std::size_t known = problems.size();
+  const auto value = parse_numbers(option, word.substr(equals + 1), {joint}, problems);
+  if (problems.size() > known) return std::nullopt;
+  return HeldJoint{*leg, value.front(), robot.leg(*leg).actuated_by_angle()};
+}
+
+}  // namespace
+
+HeldRange parse_held_range(const std::string& option, const Manipulator& robot, const std::string& text,
+                           Problems& problems) {
+  HeldRange range;
+  if (robot.task_space() != TaskSpace::SE2) {
+    problems.push_back(find_held_range_problem(robot, range));
+    return range;
+  }
+  const std::string joint = text.substr(0, text.find('='));
+  const auto leg = leg_of(option, robot, joint, problems);
+  if (!leg) return range;
+  range.leg = *leg;
+  const JointLimits& limits = robot.leg(range.leg).limits;
+  range.lower = limits.lower;
+  range.upper = limits.upper;
+  const std::size_t known = problems.size();
+  if (joint != text) read_range(option, robot, text, range, problems);
+  const std::string problem = problems.size() > known ? "" : find_held_range_problem(robot, range);
+  if (!problem.empty()) problems.push_back(problem);
+  return range;
+}
+
+HeldJoint parse_held_joint(const std::string& option, const Manipulator& robot, const std::string& text,
+                           Problems& problems) {
+  const auto held = read_held_joint(option, robot, text, problems);
+  if (!held) return {};
+  const std::string problem = find_cusps_problem(robot, *held);
+  if (!problem.empty()) problems.push_back(problem);
+  return *held;
+}
+
+MapSlice parse_joint_slice(const std::string& option, const Manipulator& robot, const std::string& text,
+                           Problems& problems) {
+  const auto held = read_held_joint(option, robot, text, problems);
+  return held ? make_slice(robot, {{robot.leg(held->leg).actuated_joint, held->value}}, problems)
+              : MapSlice{};
 }
 
 }  // namespace parallel_aspects::tools

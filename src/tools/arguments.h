@@ -6,7 +6,8 @@
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/aspects/uniqueness.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/singularity/indices.h"
@@ -108,6 +109,20 @@ std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipul
 /// The same as a part of a computation that is shown.
 std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipulator> manipulator,
                                                    const RoadmapOptions& options, const MapControl& control);
+
+/// The range of an actuated joint that `text` names, such as "strut_1_joint=10:32", or the name alone: within
+/// its limits. Messages name `option`.
+HeldRange parse_held_range(const std::string& option, const Manipulator& robot, const std::string& text,
+                           Problems& problems);
+
+/// The actuated joint that `text` holds, such as "crank_1_joint=0.3".
+HeldJoint parse_held_joint(const std::string& option, const Manipulator& robot, const std::string& text,
+                           Problems& problems);
+
+/// The slice of SE2 that holds the actuated joint which `text` names with its value; pose coordinates are
+/// refused.
+MapSlice parse_joint_slice(const std::string& option, const Manipulator& robot, const std::string& text,
+                           Problems& problems);
 
 }  // namespace parallel_aspects::tools
 

@@ -3,9 +3,8 @@
 
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/model/version.h"
-#include "tools/command_line.h"
 #include "tools/output_file.h"
-#include "tools/report/text_table.h"
+#include "tools/report/report.h"
 #include "tools/subcommands.h"
 
 #include <algorithm>

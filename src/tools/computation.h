@@ -5,12 +5,34 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/model/problems.h"
 #include "tools/command.h"
-#include "tools/progress_bar.h"
 #include "tools/subcommands.h"
 
 #include <optional>
+#include <ostream>
+#include <string>
 
 namespace parallel_aspects::tools {
+
+/// A line on a terminal that shows the share of work done, and is gone when the bar is.
+class ProgressBar {
+ public:
+  explicit ProgressBar(std::ostream& terminal) : terminal_(terminal) {}
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// Draws the share done, 0 to 1, if it changed visibly.
+  void show(double share);
+
+  /// The same, with the time that is left at the speed so far: `seconds` since the share was `from`.
+  void show(double share, double from, double seconds);
+
+ private:
+  void draw(double share, const std::string& more);
+
+  std::ostream& terminal_;
+  std::string drawn_;
+};
 
 /// Ctrl-C ends a question early; nothing is printed then.
 inline MapControl control_of(const Surroundings& surroundings) {

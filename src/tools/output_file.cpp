@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/output_file.h"
 
-#include "aspects/file/whole_file.h"
-#include "parallel_aspects/aspects/map_file.h"
+#include "aspects/file/bytes.h"
+#include "parallel_aspects/aspects/aspect_map.h"
 #include "tools/shipped_robots.h"
 
 #include <algorithm>
@@ -83,6 +83,34 @@ void write_output_file(const std::string& what, const std::string& file, const s
   if (!problem.empty())
     throw InvalidDescription({what + " '" + file + "' is not written, since " + problem +
                               "; give a file in a folder that can be written to and has room."});
+}
+
+namespace {
+
+constexpr double png_scale = 1.6;  // so that small text is sharp
+
+std::string ending_of(const std::string& file) { return std::filesystem::path(file).extension(); }
+
+}  // namespace
+
+void check_picture_file(const std::string& option, const std::string& file, Problems& problems) {
+  if (file.empty()) return;
+  check_output_file(option, file, problems);
+  if (ending_of(file) != ".svg" && ending_of(file) != ".png")
+    problems.push_back(option + " is '" + file +
+                       "', which ends neither with .svg nor with .png; give a name that does.");
+}
+
+void check_svg_file(const std::string& option, const std::string& file, Problems& problems) {
+  if (file.empty()) return;
+  check_output_file(option, file, problems);
+  if (ending_of(file) != ".svg")
+    problems.push_back(option + " is '" + file + "', which does not end with .svg; give a name that does.");
+}
+
+void write_picture_file(const std::string& file, const Picture& picture) {
+  write_output_file("Picture", file,
+                    ending_of(file) == ".png" ? as_png(picture, png_scale) : as_svg(picture));
 }
 
 }  // namespace parallel_aspects::tools

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_TOOLS_OUTPUT_FILE_H
 
 #include "parallel_aspects/model/problems.h"
+#include "tools/drawing/page_elements.h"
 #include "tools/subcommands.h"
 
 #include <string>
@@ -22,6 +23,16 @@ void check_distinct_files(const Subcommand& subcommand);
 
 /// Replaces a file by this text. Throws `InvalidDescription` where it cannot; `what` begins that sentence.
 void write_output_file(const std::string& what, const std::string& file, const std::string& text);
+
+/// As `check_output_file`, and the file must end with .svg or .png.
+void check_picture_file(const std::string& option, const std::string& file, Problems& problems);
+
+/// As `check_output_file`, and the file must end with .svg, since the picture is drawn as that alone.
+void check_svg_file(const std::string& option, const std::string& file, Problems& problems);
+
+/// Replaces the file by the picture, as SVG or PNG as its name ends. Throws `InvalidDescription` where it
+/// cannot.
+void write_picture_file(const std::string& file, const Picture& picture);
 
 }  // namespace parallel_aspects::tools
 

@@ -2,7 +2,7 @@
 #include "tools/question_options.h"
 
 #include "tools/arguments.h"
-#include "tools/command_line.h"
+#include "tools/subcommands.h"
 
 namespace parallel_aspects::tools {
 

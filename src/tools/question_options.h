@@ -5,7 +5,7 @@
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
 #include "parallel_aspects/aspects/map_slice.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"

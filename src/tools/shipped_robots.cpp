@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/shipped_robots.h"
 
-#include "tools/command_line.h"
 #include "tools/report/report.h"
+#include "tools/subcommands.h"
 #include "urdf/description/text_file.h"
 
 #include <algorithm>

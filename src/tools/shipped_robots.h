@@ -4,8 +4,7 @@
 
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/urdf/mechanism.h"
-#include "urdf/config/map_config.h"
-#include "urdf/config/motion_config.h"
+#include "urdf/config/map_and_motion_config.h"
 
 #include <filesystem>
 #include <memory>

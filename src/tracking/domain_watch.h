@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_TRACKING_DOMAIN_WATCH_H
 
 #include "parallel_aspects/aspects/uniqueness.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 
 #include "interval/interval.h"
 #include "interval/rotation_rows.h"
-#include "model/matrix_row.h"
+#include "model/task_space_traits.h"
 #include "parallel_aspects/model/leg.h"
 #include "parallel_aspects/model/pose.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracking/tracker_core.h"
 
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <cmath>
 #include <utility>

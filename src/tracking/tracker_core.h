@@ -4,9 +4,8 @@
 
 #include "parallel_aspects/tracking/joint_samples.h"
 #include "parallel_aspects/tracking/tracker.h"
-#include "tracking/assembly_watch.h"
-#include "tracking/candidates.h"
-#include "tracking/joint_reach.h"
+#include "tracking/assembly_modes.h"
+#include "tracking/continuation.h"
 
 #include <array>
 #include <cstddef>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/end_notes.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "urdf/culprits/closure_gaps.h"
-#include "urdf/culprits/crossed_ends.h"
 #include "urdf/culprits/misplaced_ends.h"
 
 #include <cmath>

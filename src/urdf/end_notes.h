@@ -4,7 +4,7 @@
 
 #include "urdf/closing/resolved_config.h"
 #include "urdf/culprits/attempt.h"
-#include "urdf/description/source_names.h"
+#include "urdf/description/messages.h"
 #include "urdf/mechanism_contents.h"
 
 #include <functional>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/home_configuration.h"
 
-#include "model/coefficients.h"
-#include "model/pose_text.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "model/linear_algebra.h"
+#include "model/message_text.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <algorithm>
 #include <optional>

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_URDF_HOME_CONFIGURATION_H
 
 #include "urdf/config/mechanism_config.h"
-#include "urdf/description/source_names.h"
+#include "urdf/description/messages.h"
 #include "urdf/mechanism_contents.h"
 
 namespace parallel_aspects {

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_URDF_IDLE_CHAINS_H
 
 #include "urdf/closing/resolved_config.h"
-#include "urdf/description/source_names.h"
+#include "urdf/description/messages.h"
 
 #include <memory>
 #include <optional>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model/number_text.h"
+#include "urdf/load_mechanism.h"
+
+#include "model/message_text.h"
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/ends_of_loops.h"
 #include "urdf/closing/planar_layers.h"
@@ -8,20 +10,16 @@
 #include "urdf/corrections/unit_corrections.h"
 #include "urdf/culprits/closure_gaps.h"
 #include "urdf/culprits/culprit.h"
-#include "urdf/culprits/reversed_axes.h"
-#include "urdf/culprits/shared_frames.h"
-#include "urdf/description/yaml_document.h"
+#include "urdf/culprits/likely_slips.h"
+#include "urdf/description/yaml_values.h"
 #include "urdf/end_notes.h"
 #include "urdf/home_configuration.h"
 #include "urdf/idle_chains.h"
-#include "urdf/load_search.h"
 #include "urdf/mechanism_contents.h"
 #include "urdf/mechanism_recognition.h"
 #include "urdf/open_choices.h"
-#include "urdf/reading/robot_text.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/stated_constraints.h"
-#include "urdf/symmetrizing.h"
 
 #include <tinyxml2.h>
 #include <yaml-cpp/yaml.h>

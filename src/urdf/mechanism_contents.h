@@ -4,7 +4,7 @@
 
 #include "aspects/symmetry/near_symmetry.h"
 #include "parallel_aspects/urdf/mechanism.h"
-#include "urdf/description/note.h"
+#include "urdf/description/messages.h"
 #include "urdf/recognition/completion.h"
 
 #include <memory>

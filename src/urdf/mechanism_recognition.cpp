@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/mechanism_recognition.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/chain.h"
-#include "urdf/closing/still_joints.h"
+#include "urdf/closing/freedom.h"
 #include "urdf/recognition/leg_recognition.h"
 #include "urdf/recognition/passive_chain.h"
 #include "urdf/recognition/passive_limits.h"
 #include "urdf/recognition/platform_motion.h"
-#include "urdf/recognition/rod_pairs.h"
-#include "urdf/symmetrizing.h"
+#include "urdf/stated_constraints.h"
 #include "urdf/trial_poses.h"
 
 #include <algorithm>

@@ -6,9 +6,9 @@
 #include "urdf/closing/resolved_config.h"
 #include "urdf/config/mechanism_config.h"
 #include "urdf/description/closure.h"
-#include "urdf/description/source_names.h"
+#include "urdf/description/messages.h"
 #include "urdf/description/tree.h"
-#include "urdf/load_search.h"
+#include "urdf/load_mechanism.h"
 #include "urdf/mechanism_contents.h"
 
 #include <cstddef>

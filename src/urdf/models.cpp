@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/urdf/models.h"
+#include "parallel_aspects/urdf/mechanism.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/open_choices.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
-#include "urdf/description/command_options.h"
+#include "urdf/description/messages.h"
 
 #include <algorithm>
 #include <array>

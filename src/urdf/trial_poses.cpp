@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/trial_poses.h"
 
-#include "model/coefficients.h"
-#include "model/number_text.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "model/linear_algebra.h"
+#include "model/message_text.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_URDF_TRIAL_POSES_H
 
 #include "parallel_aspects/model/problems.h"
-#include "urdf/description/source_names.h"
+#include "urdf/description/messages.h"
 #include "urdf/mechanism_contents.h"
 
 namespace parallel_aspects {

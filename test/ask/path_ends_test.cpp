@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ask/path_ends.h"
-
-#include "parallel_aspects/kinematics/inverse.h"
+#include "ask/question_parts.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

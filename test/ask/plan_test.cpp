@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ask/plan.h"
 
-#include "parallel_aspects/aspects/aspect_graph.h"
+#include "parallel_aspects/aspects/connectivity.h"
 
 #include <gtest/gtest.h>
 

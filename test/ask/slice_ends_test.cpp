@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ask/slice_ends.h"
-
-#include "model/pose_text.h"
-#include "parallel_aspects/aspects/held_joint.h"
+#include "ask/question_parts.h"
+#include "model/message_text.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <gtest/gtest.h>
 

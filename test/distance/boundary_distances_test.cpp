@@ -2,8 +2,7 @@
 // Distances against values that were computed by other means, and the contract of the meter.
 #include "parallel_aspects/distance/boundary_distances.h"
 
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/problems.h"
 
 #include <gtest/gtest.h>

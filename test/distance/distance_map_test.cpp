@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a map made ready for distances claims of singularities, against singular poses that are found without
 // enclosures; and its contract.
-#include "parallel_aspects/distance/distance_map.h"
-
 #include "aspects/map/map_contents.h"
-#include "aspects/map/map_location.h"
 #include "distance/anchor_metric.h"
 #include "distance/leaf_view.h"
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"
 
 #include <gtest/gtest.h>

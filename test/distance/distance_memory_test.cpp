@@ -2,7 +2,6 @@
 // A meter takes its memory when it is made, and throws nothing later.
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/distance/distance_map.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,7 @@
 #include "model/task_space_traits.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/distance/distance_map.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include <gtest/gtest.h>

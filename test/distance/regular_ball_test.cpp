@@ -2,8 +2,8 @@
 // Matrices that are proved regular, refuted by sampling and by searching for the least determinant.
 #include "distance/regular_ball.h"
 
-#include "distance/root_lines.h"
-#include "interval/rounding.h"
+#include "distance/quadratic_form.h"
+#include "interval/interval.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

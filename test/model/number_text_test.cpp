@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model/number_text.h"
+#include "model/message_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "motion/local_motion.h"
-
-#include "parallel_aspects/kinematics/inverse.h"
+#include "motion/demo_rounds.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/tracking/tracker.h"
 
 #include <gtest/gtest.h>

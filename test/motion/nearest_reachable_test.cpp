@@ -4,9 +4,8 @@
 // answer, is much nearer. What is in reach is written again here, by distances and angles alone.
 #include "motion/nearest_reachable.h"
 
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <gtest/gtest.h>
 

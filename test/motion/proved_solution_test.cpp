@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "motion/proved_solution.h"
-
-#include "model/coefficients.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "model/linear_algebra.h"
+#include "motion/assembly_survey.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

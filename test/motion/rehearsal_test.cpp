@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "motion/rehearsal.h"
-
+#include "motion/demo_rounds.h"
 #include "motion/roadmap.h"
-#include "motion/tour.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

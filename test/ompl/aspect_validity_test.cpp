@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/ompl/aspect_validity.h"
-
 #include "parallel_aspects/model/problems.h"
-#include "parallel_aspects/ompl/pose_state_space.h"
+#include "parallel_aspects/ompl/aspect_space_information.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/ompl/pose_state_space.h"
-
 #include "aspects/roadmap/pose_sampler.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/problems.h"
-#include "parallel_aspects/urdf/models.h"
+#include "parallel_aspects/ompl/aspect_space_information.h"
+#include "parallel_aspects/urdf/mechanism.h"
 
 #include <gtest/gtest.h>
 

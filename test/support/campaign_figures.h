@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_TEST_SUPPORT_CAMPAIGN_FIGURES_H
 
 #include "parallel_aspects/model/manipulator.h"
-#include "parallel_aspects/motion/time_path.h"
+#include "parallel_aspects/motion/plan_path.h"
 
 #include "support/configuration_at.h"
 #include "support/path_samples.h"

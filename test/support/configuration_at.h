@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_CONFIGURATION_AT_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_CONFIGURATION_AT_H
 
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 

@@ -4,11 +4,10 @@
 
 #include "aspects/boxes/box_classifier.h"
 #include "aspects/roadmap/pose_sampler.h"
-#include "aspects/tree/held_joint_space.h"
 #include "aspects/tree/slice_space.h"
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

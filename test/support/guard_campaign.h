@@ -4,8 +4,8 @@
 
 #include "model/linear_algebra.h"
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/motion/motion_guard.h"
 
 #include "support/pose_pairs.h"

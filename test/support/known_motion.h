@@ -4,7 +4,7 @@
 
 #include "motion/roadmap.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <algorithm>

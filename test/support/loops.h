@@ -2,8 +2,8 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_LOOPS_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_LOOPS_H
 
-#include "model/coefficients.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "model/linear_algebra.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/urdf/mechanism.h"
 

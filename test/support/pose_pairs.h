@@ -4,8 +4,7 @@
 
 #include "aspects/roadmap/pose_sampler.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"
 
 #include "support/thoroughness.h"

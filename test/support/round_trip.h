@@ -2,8 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_ROUND_TRIP_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_ROUND_TRIP_H
 
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include "support/robots/random_robots.h"
 #include <algorithm>

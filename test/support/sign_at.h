@@ -2,8 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_SIGN_AT_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_SIGN_AT_H
 
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <cmath>
 #include <optional>

@@ -2,10 +2,8 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_TRACKING_CAMPAIGN_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_TRACKING_CAMPAIGN_H
 
-#include "kinematics/direct/pose_refinement.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "kinematics/direct/direct_problem.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/tracking/tracker.h"
 #include "parallel_aspects/urdf/mechanism.h"
 

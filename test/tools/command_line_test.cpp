@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/command_line.h"
+#include "tools/subcommands.h"
 
 #include <gtest/gtest.h>
 

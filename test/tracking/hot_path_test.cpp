@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The hot path asks for no memory: what malloc is asked for is counted while the tracker works.
-#include "model/coefficients.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/tracking/approach_speed.h"
-#include "parallel_aspects/tracking/hazard_memory.h"
-#include "parallel_aspects/tracking/thresholds.h"
+#include "model/linear_algebra.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/tracking/hazards.h"
 #include "parallel_aspects/tracking/tracker.h"
 
 #include <gtest/gtest.h>

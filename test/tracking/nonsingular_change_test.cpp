@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Assembly modes that change without a singularity: what the tracker says of them, while and after.
 #include "motion/roadmap.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/tracking/tracker.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracking/pose_certifier.h"
 
-#include "model/coefficients.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "model/linear_algebra.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "tracking/continuation.h"
 
 #include <gtest/gtest.h>

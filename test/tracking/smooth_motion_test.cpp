@@ -2,8 +2,7 @@
 //
 // Platforms that move smoothly through det A = 0: between samples the actuated joints then do not move
 // straight.
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/tracking/tracker.h"
 
 #include <gtest/gtest.h>

@@ -4,10 +4,9 @@
 // the least that any monitor needs, by the distance of the actuated joints from the image of det A = 0, and
 // what StandOff says.
 #include "model/linear_algebra.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/model/anchor_distance.h"
-#include "parallel_aspects/tracking/stand_off.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/tracking/tracker.h"
 
 #include <Eigen/SVD>
 #include <gtest/gtest.h>

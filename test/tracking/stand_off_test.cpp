@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // How near det A = 0 a robot that stands still is followed by encoders that are noisy.
-#include "parallel_aspects/tracking/stand_off.h"
-
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/tracking/tracker.h"
 

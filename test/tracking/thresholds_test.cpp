@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tracking/thresholds.h"
-
-#include "parallel_aspects/tracking/approach_speed.h"
-#include "parallel_aspects/tracking/hazard_memory.h"
+#include "parallel_aspects/tracking/hazards.h"
 
 #include <gtest/gtest.h>
 

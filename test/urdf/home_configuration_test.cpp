@@ -2,7 +2,7 @@
 // Where a robot is shown: within all limits, and at its stated start.
 #include "urdf/home_configuration.h"
 
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

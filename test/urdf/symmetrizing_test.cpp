@@ -2,7 +2,7 @@
 // Robots that CAD has rounded: nearly symmetric, and made so.
 #include "aspects/map/map_plan.h"
 #include "aspects/symmetry/robot_symmetry.h"
-#include "aspects/tree/exact_corners.h"
+#include "aspects/tree/pose_tree.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 
 #include <gtest/gtest.h>

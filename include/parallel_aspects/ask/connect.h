@@ -4,8 +4,8 @@
 
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
-#include "parallel_aspects/aspects/basins.h"
-#include "parallel_aspects/aspects/same_aspect.h"
+#include "parallel_aspects/aspects/connectivity.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
 
 #include <array>

@@ -5,7 +5,7 @@
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/model/pose.h"
 
 #include <cmath>
 #include <optional>

@@ -4,8 +4,7 @@
 
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include <optional>

@@ -4,9 +4,8 @@
 
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
-#include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/motion/plan_path.h"
-#include "parallel_aspects/motion/time_path.h"
 
 #include <array>
 #include <memory>

@@ -5,11 +5,13 @@
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/map_slice.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -200,6 +202,65 @@ MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, con
 /// positions are taken to 0.1 rad then, with one position to 0.025 rad, whatever the unit of length.
 double default_resolution(const Manipulator& manipulator,
                           const std::optional<MapSlice>& slice = std::nullopt) noexcept;
+
+/// Whether a map was written.
+struct SaveResult {
+  bool saved = false;   ///< the file is whole and on the disk
+  std::string message;  ///< why not, unless saved
+
+  explicit operator bool() const noexcept { return saved; }  ///< whether it was written
+};
+
+/// Why a map cannot be saved there, such as "is in no folder that can be written to"; empty where it can.
+/// What is no map is not written over.
+std::string problem_of_saving(const std::string& path);
+
+/// Writes the map to a file, and its graph of aspects if that is known (`compute_aspect_graph`): who loads it
+/// need not look for gates again. At every moment the file is the old one or the new one, whole.
+SaveResult save_map(const AspectMap& map, const std::string& path);
+
+/// The map of this manipulator with these options, as `compute_aspect_map` gave it, if the file holds that;
+/// where `complete` is not asked for, one that is will do.
+/// Refused with a message where it cannot be read, is damaged, is of another version of the package or
+/// another revision of the proofs, or holds the map of another robot or of other options. What the file
+/// claims is believed then, so it is as good as those who can write to it; but no file, not even a forged
+/// one, does harm beyond wrong answers.
+MapResult load_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
+                   const std::string& path);
+
+/// The file that `save_map` writes, packed by zlib behind its length, a little-endian number of eight bytes.
+std::vector<std::uint8_t> map_bytes(const AspectMap& map);
+
+/// The map that such bytes are of, refused like a file.
+MapResult map_from_bytes(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
+                         const std::vector<std::uint8_t>& bytes);
+
+/// Options that the map is loaded with, for whoever does not know those that it was computed with.
+MapOptions options_of(const AspectMap& map);
+
+/// The undecided leaves, over all working modes, in which a constraint neither holds everywhere nor fails
+/// everywhere: what encloses its boundary. One leaf may enclose several.
+struct ConstraintBoundary {
+  ConstraintKind kind = ConstraintKind::actuated_limits;  ///< whose boundary it is
+  std::size_t leaves = 0;                                 ///< how many there are
+  double measure = 0.0;                                   ///< of these leaves, in the unit of `measure_unit`
+};
+
+/// One for each constraint that the map was computed with, in the order of `all_constraint_kinds`.
+std::vector<ConstraintBoundary> constraint_boundaries(const AspectMap& map);
+
+/// Working modes in which no pose is proved to be free of singularities.
+struct MissingModes {
+  std::vector<WorkingMode> empty;    ///< proved: no pose of the region is in an aspect of it
+  std::vector<WorkingMode> unknown;  ///< undecided leaves are left
+};
+
+/// Those of the modes that the map was computed for.
+MissingModes missing_modes(const AspectMap& map);
+
+/// Whether the region of the map may leave out poses that legs reach in the workspace. Then aspects are
+/// connected within the region, and one of the robot that it cuts may be counted as several.
+bool is_cut_by_region(const AspectMap& map);
 
 }  // namespace parallel_aspects
 

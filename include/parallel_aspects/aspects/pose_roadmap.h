@@ -5,7 +5,7 @@
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
@@ -105,6 +105,69 @@ struct RoadmapResult {
 /// refused with a message.
 RoadmapResult compute_pose_roadmap(std::shared_ptr<const Manipulator> manipulator,
                                    const RoadmapOptions& options = {}, const MapControl& control = {});
+
+/// How much is tried to join a pose to a roadmap.
+struct LocationBudget {
+  std::size_t samples = 24;  ///< the nearest ones of the same working mode and sign of det A
+  int parts = 100;           ///< of each segment, some microseconds each
+};
+
+/// What a roadmap tells of a configuration. Whatever is set is proved.
+struct RoadmapLocation {
+  int determinant_sign = 0;                ///< 1 or -1; 0 where it is not proved
+  std::optional<std::uint32_t> component;  ///< of that side; nothing where no segment to it was proved free
+};
+
+/// The component that a segment proved free of singularities joins the pose to.
+RoadmapLocation locate(const PoseRoadmap& roadmap, const Pose& pose, const WorkingMode& mode,
+                       const LocationBudget& budget = {});
+
+/// A configuration: a pose, and the branch of each leg.
+struct PoseInMode {
+  Pose pose;         ///< in the task frame
+  WorkingMode mode;  ///< one sign a leg
+};
+
+/// Both yes and no are proved.
+enum class SameAspect { yes, no, unknown };
+
+/// What `same_aspect` found.
+struct AspectComparison {
+  SameAspect answer = SameAspect::unknown;  ///< whether both are in one aspect
+  std::string message;                      ///< why
+
+  /// Where the answer is yes: poses from the first to the second; each `PoseSegment` from one to the next is
+  /// proved free of singularities and within limits.
+  std::vector<Pose> path;
+
+  /// The sign of det A at both where a path was looked for and none was found; 0 where no search can help.
+  int searched_sign = 0;
+
+  /// Where the answer is no since one of them lies in no aspect: the constraint that is proved to fail there,
+  /// if it is one.
+  std::optional<ConstraintKind> failing{};
+};
+
+/// Whether two configurations lie in one aspect, by what is proved of them and of the segment between them.
+///  - no: they differ in the working mode or in the sign of det A, or one is proved to lie in no aspect.
+///  - yes: the segment is proved free.
+///  - unknown: neither; or one is too close to a singularity or a limit.
+AspectComparison same_aspect(const SegmentCertifier& certifier, const PoseInMode& first,
+                             const PoseInMode& second);
+
+/// How long a path is looked for where the roadmap has none.
+enum class SearchEffort {
+  brief,     ///< some milliseconds; for questions of which there are many
+  thorough,  ///< up to a second or so; through narrow passages, too
+};
+
+/// The same, and yes also where a path is found over the roadmap or over poses sampled for this question.
+/// That none was found proves nothing. The same roadmap gives the same answer.
+AspectComparison same_aspect(const PoseRoadmap& roadmap, const PoseInMode& first, const PoseInMode& second,
+                             SearchEffort effort = SearchEffort::thorough);
+
+/// "yes", "no" or "unknown".
+const char* name(SameAspect answer) noexcept;
 
 }  // namespace parallel_aspects
 

@@ -3,8 +3,8 @@
 #define PARALLEL_ASPECTS_MODEL_CONSTRAINTS_H
 
 #include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"
-#include "parallel_aspects/model/task_space.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

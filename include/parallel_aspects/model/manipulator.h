@@ -4,11 +4,11 @@
 
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/leg.h"
-#include "parallel_aspects/model/task_space.h"
-#include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/model/pose.h"
 
 #include <Eigen/Geometry>
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -82,6 +82,14 @@ class Manipulator {
   double characteristic_length_;
   double size_;
 };
+
+/// How far two poses are apart: root mean square displacement of the anchors [m], in floating point.
+inline double anchor_distance(const Manipulator& manipulator, const Pose& a, const Pose& b) noexcept {
+  double sum = 0.0;
+  for (const Leg& leg : manipulator.legs())
+    sum += (a.transform(leg.anchor) - b.transform(leg.anchor)).squaredNorm();
+  return std::sqrt(sum / static_cast<double>(manipulator.leg_count()));
+}
 
 }  // namespace parallel_aspects
 

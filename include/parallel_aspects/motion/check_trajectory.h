@@ -4,12 +4,11 @@
 
 #include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"
-#include "parallel_aspects/model/vectors.h"
 
 #include <array>
 #include <cstddef>
@@ -180,7 +179,7 @@ TrajectoryCheck check_trajectory(const SegmentCertifier& certifier,
 /// How far a sample of a trajectory is at least from parallel singularities, serial ones and limits of the
 /// actuated joints, as `BoundaryDistanceMeter` measures it, proved [m].
 struct SampleDistances {
-  bool measured = false;  ///< here; else by how far the robot moves to where it was
+  bool measured = false;          ///< here; else by how far the robot moves to where it was
   std::array<double, 3> lower{};  ///< bounds, in that order
 };
 

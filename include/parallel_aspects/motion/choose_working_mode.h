@@ -3,14 +3,13 @@
 #define PARALLEL_ASPECTS_MOTION_CHOOSE_WORKING_MODE_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/basins.h"
 #include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/connectivity.h"
 #include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/aspects/same_aspect.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"

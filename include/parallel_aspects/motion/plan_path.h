@@ -2,14 +2,15 @@
 #ifndef PARALLEL_ASPECTS_MOTION_PLAN_PATH_H
 #define PARALLEL_ASPECTS_MOTION_PLAN_PATH_H
 
-#include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/connectivity.h"
 #include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/aspects/same_aspect.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/aspects/segment_certifier.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"
-#include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 
 #include <cstddef>
 #include <functional>
@@ -151,6 +152,64 @@ const char* name(PathPolicy policy) noexcept;
 
 /// "short", "clear", "fast" or "quick".
 const char* name(PathPreference preference) noexcept;
+
+/// A component of a roadmap: sampled poses that proved segments join, all of one aspect. Two may belong to
+/// one aspect.
+struct RoadmapPart {
+  int id = 0;                ///< from 1: by side of the roadmap, then falling number of poses
+  WorkingMode mode;          ///< one sign a leg
+  int determinant_sign = 0;  ///< +1 or -1
+  std::size_t samples = 0;   ///< poses of it
+};
+
+/// The components of a roadmap as nodes, and the serial gates between them that are proved.
+struct RoadmapGraph {
+  std::vector<RoadmapPart> parts;  ///< by id
+
+  /// Gates and sets of parts. The segment of a crossing has three poses: a sampled one of both parts, and two
+  /// on the way to where B_jj is zero, all proved free in either mode. From the last of them the actuated
+  /// joints run straight to their values in the other mode, as `plan_in_roadmap` says, and back to that pose.
+  /// What joins a set is proved. Only the sign of det A proves sets different: `proved_set_count` is that of
+  /// the signs, and workspaces are not measured.
+  AspectGraph graph;
+};
+
+/// Looks for serial gates between the components of a roadmap, from some poses of each towards random poses.
+/// Of components between which none is found nothing is claimed. Nothing where cancelled.
+std::optional<RoadmapGraph> compute_roadmap_graph(const PoseRoadmap& roadmap, const MapControl& control = {});
+
+/// The pose at t, 0 to 1, between two points of a path: `pose_between`, or that of the planner.
+using PoseBetween = std::function<Pose(const Pose& from, const Pose& to, double t)>;
+
+/// A planned path in time.
+struct TimedPath {
+  /// Positions and velocities of the actuated joints, from rest to rest, and no accelerations: between them
+  /// the joints run as cubics. Times are whole nanoseconds. Empty where there is none that is proved.
+  std::vector<JointWaypoint> waypoints;
+
+  double seconds = 0.0;     ///< of all of it
+  std::size_t rounded = 0;  ///< corners of the path that are rounded
+  std::size_t stops = 0;    ///< corners at which it stops
+  TrajectoryCheck check;    ///< what is proved of the waypoints
+  std::string message;      ///< what was done, or why there is none; a sentence
+
+  explicit operator bool() const noexcept { return !waypoints.empty(); }  ///< whether there is one
+};
+
+/// Every reason why paths of this robot cannot be timed, a message each: actuated joints without a velocity
+/// limit, accelerations that are not one a leg, positive and finite, or a tolerance.
+Problems problems_of(const Manipulator& manipulator, const JointVector& acceleration);
+
+/// Times a path that was found: in the least time along it that the velocity limits of the joints and these
+/// acceleration limits allow [rad/s^2 or m/s^2], which the cubics between the waypoints keep at every time.
+/// The corners are rounded where that is proved. All of it is proved again by `check_trajectory`, and sampled
+/// more densely until it is. There must be no `problems_of`.
+TimedPath time_path(const SegmentCertifier& certifier, const PlannedPath& path, const PoseBetween& between,
+                    const JointVector& acceleration, const MapControl& control = {});
+
+/// How long a path takes as `time_path` times it, for `PathWish`. The certifier outlives it.
+PathTime path_timer(const SegmentCertifier& certifier, PoseBetween between, const JointVector& acceleration,
+                    const MapControl& control = {});
 
 }  // namespace parallel_aspects
 

@@ -2,8 +2,11 @@
 #ifndef PARALLEL_ASPECTS_SINGULARITY_INDICES_H
 #define PARALLEL_ASPECTS_SINGULARITY_INDICES_H
 
+#include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
+
+#include <string>
 
 namespace parallel_aspects {
 
@@ -43,6 +46,14 @@ double parallel_index(const Manipulator& manipulator, const Pose& pose, const Jo
 /// |B_jj| of each leg over its `largest_entry`: the sine of the angle between rod and crank, or rod and the
 /// normal of its rail. 1 for a strut. Dimensionless; 0 at a serial singularity.
 TaskVector serial_indices(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
+
+/// Those that ask something, as "parallel 0.05, serial 0.1"; empty where none does.
+std::string to_string(const Margins& margins);
+
+/// Which margins of the manipulator a configuration does not keep, as "the parallel index is 0.71, below the
+/// margin 0.9"; empty where it keeps all. In double precision, so it proves nothing. `q` must assemble with
+/// `pose`; both must be finite.
+std::string missed_margins(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 
 }  // namespace parallel_aspects
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/basins.h"
-
-#include "aspects/basins/aspect_links.h"
 #include "aspects/basins/deepest_index.h"
 #include "aspects/basins/index_cells.h"
-#include "aspects/basins/index_peaks.h"
 #include "aspects/basins/merge_tree.h"
 #include "aspects/basins/mode_images.h"
+#include "parallel_aspects/aspects/connectivity.h"
 
 #include <tbb/parallel_for.h>
 

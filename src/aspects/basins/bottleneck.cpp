@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/basins/index_cells.h"
 #include "aspects/boxes/segment_proof.h"
-#include "aspects/map/map_location.h"
+#include "aspects/map/map_contents.h"
 #include "aspects/tree/neighbour_leaves.h"
 #include "interval/interval.h"
-#include "parallel_aspects/aspects/basins.h"
+#include "parallel_aspects/aspects/connectivity.h"
 
 #include <algorithm>
 #include <cstdint>

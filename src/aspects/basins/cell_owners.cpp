@@ -2,7 +2,6 @@
 #include "aspects/basins/cell_owners.h"
 
 #include "aspects/components/disjoint_sets.h"
-#include "aspects/tree/face_traversal.h"
 #include "aspects/tree/neighbour_leaves.h"
 
 #include <algorithm>

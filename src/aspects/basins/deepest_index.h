@@ -4,8 +4,7 @@
 
 #include "aspects/basins/cell_owners.h"
 #include "aspects/basins/index_cells.h"
-#include "aspects/basins/index_peaks.h"
-#include "parallel_aspects/aspects/basins.h"
+#include "parallel_aspects/aspects/connectivity.h"
 #include "parallel_aspects/aspects/map_control.h"
 
 #include <cstddef>

@@ -2,23 +2,51 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BASINS_INDEX_CELLS_H
 #define PARALLEL_ASPECTS_ASPECTS_BASINS_INDEX_CELLS_H
 
-#include "aspects/basins/index_peaks.h"
 #include "aspects/map/map_contents.h"
 #include "aspects/tree/pose_tree.h"
 #include "interval/interval.h"
-#include "parallel_aspects/aspects/basins.h"
+#include "parallel_aspects/aspects/connectivity.h"
+#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <queue>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace parallel_aspects {
+
+/// An index in one working mode and for one sign of det A.
+struct IndexOfMode {
+  std::size_t mode;
+  int sign;
+  ParallelIndex index;
+};
+
+/// Of the share of `BoxClassifier::enclose_index`: every enclosure is close enough.
+inline constexpr double any_index_gap = 1.0;
+
+/// At one pose; 0 to the largest where it is not known.
+IndexRange index_at(const AspectMap::Contents& map, const IndexOfMode& what, const MapPosition& position);
+
+/// No index in the region of the map is larger.
+double largest_in_region(const AspectMap::Contents& map, const IndexOfMode& what);
+
+/// A position at which the index is no less than this.
+struct IndexPeak {
+  double index = 0.0;
+  MapPosition at;
+};
+
+/// One of each aspect of the mode and sign, by id. Each is as high as steps to neighbours in finer and finer
+/// grids lead from the highest of some leaves; others may be higher.
+std::map<int, IndexPeak> find_index_peaks(const AspectMap::Contents& map, const IndexOfMode& what,
+                                          const MapControl& control);
 
 /// The leaves of one working mode of a map that may hold poses of one sign of det A, as *cells* that can be
 /// halved further, with bounds of an index at these poses. The map must outlive this.

@@ -2,13 +2,12 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_BOX_CLASSIFIER_H
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_BOX_CLASSIFIER_H
 
-#include "aspects/boxes/box_policy.h"
 #include "aspects/tree/leaf_state.h"
 #include "aspects/tree/monotonicity.h"
 #include "aspects/tree/pose_space.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/singularity/indices.h"
@@ -21,6 +20,25 @@
 #include <vector>
 
 namespace parallel_aspects {
+
+/// Which proofs are tried on an undecided box, and how hard. None of this can make a proof wrong: what is not
+/// tried is not known. `benchmark/component_ablation` switches each off; see docs/benchmarks.md.
+struct BoxPolicy {
+  // The proofs, each as docs/maps.md names it.
+  bool wedges = true;
+  bool shells = true;
+  bool faces = true;  ///< a box is examined on the face that the set grows to
+
+  /// Lengths of the wedge's box that are tried, each twice the one before. The first is a quarter longer than
+  /// first-order approximation asks for.
+  int wedge_attempts = 3;
+
+  /// Halvings of the line that the height of a wedge is looked for on: about the digits of a double.
+  int wedge_bisections = 50;
+
+  /// Halvings of the diagonal on which a shell begins: to a billionth of it.
+  int shell_bisections = 30;
+};
 
 /// A set of working modes: bit i stands for the i-th of the list that the classifier was made with.
 using ModeSet = std::uint64_t;

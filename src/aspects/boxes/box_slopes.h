@@ -4,7 +4,6 @@
 
 #include "aspects/boxes/box_classifier.h"
 #include "aspects/boxes/box_forms.h"
-#include "aspects/boxes/box_policy.h"
 #include "aspects/tree/monotonicity.h"
 #include "interval/dual.h"
 #include "interval/scalar_range.h"

@@ -2,15 +2,63 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_CHART_LEGS_H
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_CHART_LEGS_H
 
+#include "aspects/tree/pose_space.h"
 #include "interval/half_turns.h"
+#include "interval/interval.h"
+#include "interval/rotation_rows.h"
 #include "legs/planar_leg.h"
 #include "legs/spatial_leg.h"
+#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/model/manipulator.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace parallel_aspects {
+
+/// The rotation at the coordinates `a` of a cube of SO3 (see PoseSpace): of the quaternion with its largest
+/// component 1.
+template <class Scalar>
+RotationRows<Scalar> rotation_of_cube(RootIndex root, const std::array<Scalar, 3>& a) {
+  std::array<Scalar, 4> q;
+  for (std::size_t component = 0, i = 0; component < 4; ++component)
+    q[component] = component == root ? Scalar(1.0) : a[i++];
+  const QuaternionRotation<Scalar> rotation(q);
+  return rotation.rows(reciprocal(rotation.squared_norm(), 1.0));
+}
+
+/// The positions within reach of every leg; each leg allows positions that are at most `reach` from `center`.
+class ReachableBox {
+ public:
+  explicit ReachableBox(std::size_t dimension) : box_{dimension, {}, {}} {
+    box_.lower.fill(-HUGE_VAL);
+    box_.upper.fill(HUGE_VAL);
+  }
+
+  /// Along coordinate i. An infinite reach is no restriction. Needs a live `RoundingUpward`.
+  void restrict(std::size_t i, const Interval& center, double reach) {
+    assert_rounding_upward();
+    if (!std::isfinite(reach)) return;
+    // Reaches are rounded sums of lengths.
+    const Interval range = center + Interval(1.0 + 1e-12) * Interval(-reach, reach);
+    box_.lower[i] = std::max(box_.lower[i], range.lower());
+    box_.upper[i] = std::min(box_.upper[i], range.upper());
+  }
+
+  /// Nothing where some coordinate is not bounded.
+  std::optional<Box> box() const {
+    for (std::size_t i = 0; i < box_.dimension; ++i)
+      if (!std::isfinite(box_.width(i))) return std::nullopt;
+    return box_;
+  }
+
+ private:
+  Box box_;
+};
 
 /// An anchor seen from the leg's base point and from the operational point.
 template <class Scalar>

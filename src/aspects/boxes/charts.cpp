@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/boxes/charts.h"
 
-#include "aspects/boxes/reachable_box.h"
+#include "aspects/boxes/chart_legs.h"
 #include "legs/toleranced.h"
 #include "model/overloaded.h"
 

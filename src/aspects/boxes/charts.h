@@ -3,7 +3,6 @@
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_CHARTS_H
 
 #include "aspects/boxes/chart_legs.h"
-#include "aspects/boxes/quaternion_cube.h"
 #include "aspects/tree/pose_space.h"
 #include "interval/half_turns.h"
 #include "legs/leg_rows.h"

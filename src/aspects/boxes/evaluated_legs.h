@@ -5,7 +5,7 @@
 #include "aspects/tree/pose_space.h"
 #include "legs/leg_rows.h"
 #include "legs/link_points.h"
-#include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/model/pose.h"
 
 #include <array>
 #include <cstddef>

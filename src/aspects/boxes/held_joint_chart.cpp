@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/boxes/held_joint_chart.h"
 
+#include "aspects/boxes/chart_classifier.h"
+
 namespace parallel_aspects {
 namespace {
 
@@ -22,6 +24,13 @@ HeldJointChart::HeldJointChart(const Manipulator& manipulator, const MapSlice& s
     from_held_anchor_[j] = difference(anchors_[j], anchors_[held_]);
     from_base_[j] = difference(held_leg_.center(), leg(j).base());
   }
+}
+
+std::unique_ptr<const BoxClassifier> make_held_joint_classifier(const Manipulator& manipulator,
+                                                                const std::vector<WorkingMode>& modes,
+                                                                const MapSlice& slice,
+                                                                const BoxPolicy& policy) {
+  return std::make_unique<const ChartClassifier<HeldJointChart>>(manipulator, modes, policy, slice);
 }
 
 }  // namespace parallel_aspects

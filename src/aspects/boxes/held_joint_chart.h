@@ -2,9 +2,13 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_HELD_JOINT_CHART_H
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_HELD_JOINT_CHART_H
 
+#include "aspects/boxes/box_classifier.h"
 #include "aspects/boxes/charts.h"
 #include "legs/held_leg.h"
 #include "parallel_aspects/aspects/map_slice.h"
+
+#include <memory>
+#include <vector>
 
 namespace parallel_aspects {
 
@@ -102,6 +106,13 @@ class HeldJointChart : public PlanarLegs {
   std::array<Planar<Interval>, leg_count> from_held_anchor_;  // anchor - that of the held leg
   std::array<Planar<Interval>, leg_count> from_base_;         // c of the held leg - base point
 };
+
+/// The classifier for a slice that holds a joint (see `find_slice_problem`), in the coordinates of
+/// `make_held_joint_space`.
+std::unique_ptr<const BoxClassifier> make_held_joint_classifier(const Manipulator& manipulator,
+                                                                const std::vector<WorkingMode>& modes,
+                                                                const MapSlice& slice,
+                                                                const BoxPolicy& policy);
 
 }  // namespace parallel_aspects
 

@@ -6,7 +6,6 @@
 #include "aspects/boxes/box_stage.h"
 #include "aspects/boxes/evaluated_legs.h"
 #include "interval/dual.h"
-#include "interval/point_number.h"
 #include "interval/scalar_range.h"
 #include "legs/limit_verdict.h"
 

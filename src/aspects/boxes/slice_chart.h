@@ -3,8 +3,6 @@
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_SLICE_CHART_H
 
 #include "aspects/boxes/chart_legs.h"
-#include "aspects/boxes/quaternion_cube.h"
-#include "aspects/boxes/reachable_box.h"
 #include "interval/half_turns.h"
 #include "legs/leg_rows.h"
 #include "legs/toleranced.h"

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_WEDGE_PROOF_H
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_WEDGE_PROOF_H
 
-#include "aspects/boxes/box_policy.h"
+#include "aspects/boxes/box_classifier.h"
 #include "aspects/boxes/box_slopes.h"
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/box.h"

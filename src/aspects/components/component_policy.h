@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_COMPONENTS_COMPONENT_POLICY_H
 #define PARALLEL_ASPECTS_ASPECTS_COMPONENTS_COMPONENT_POLICY_H
 
-#include "aspects/boxes/box_policy.h"
+#include "aspects/boxes/box_classifier.h"
 
 #include <cstddef>
 #include <cstdint>

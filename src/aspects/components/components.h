@@ -2,7 +2,8 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_COMPONENTS_COMPONENTS_H
 #define PARALLEL_ASPECTS_ASPECTS_COMPONENTS_COMPONENTS_H
 
-#include "aspects/components/leaf_graph.h"
+#include "aspects/components/sign_graph.h"
+#include "aspects/symmetry/map_symmetry.h"
 #include "aspects/tree/pose_tree.h"
 #include "parallel_aspects/aspects/box.h"
 
@@ -12,6 +13,32 @@
 #include <vector>
 
 namespace parallel_aspects {
+
+/// How the leaves of one working mode are connected, for both signs of det A.
+class LeafGraph {
+ public:
+  /// `looks_everywhere`: see there. The control and the policy must outlive this.
+  LeafGraph(const PoseTree& tree, std::size_t mode, bool looks_everywhere, const MapControl& control,
+            const ComponentPolicy& policy);
+
+  std::size_t mode() const noexcept { return mode_; }
+  bool looks_everywhere() const noexcept { return looks_everywhere_; }
+  SignGraph& of(int sign) noexcept { return sign > 0 ? positive_ : negative_; }
+
+  /// After more was proved of an undecided leaf.
+  void take_in_proof(const PoseTree& tree, NodeIndex node) {
+    positive_.take_in_proof(tree, node);
+    negative_.take_in_proof(tree, node);
+  }
+
+  /// After a leaf was divided and its children were classified.
+  void replace(PoseTree& tree, NodeIndex node);
+
+ private:
+  std::size_t mode_;
+  bool looks_everywhere_;
+  SignGraph positive_, negative_;
+};
 
 /// A connected union of inside leaves of one working mode and sign.
 struct Component {
@@ -41,6 +68,12 @@ struct ModeComponents {
 /// Ends early, unfinished, when cancelled.
 ModeComponents find_components(const PoseTree& tree, std::size_t mode, LeafGraph& graph,
                                const MapControl& control);
+
+/// Gives each mode that has a representative the states that this has at the images of its nodes, dividing
+/// nodes where need be, and its components. `components` holds those of the representatives, by mode, and has
+/// room for all.
+void mirror_modes(PoseTree& tree, const std::vector<MapSymmetry>& symmetries,
+                  const std::vector<ModeSource>& sources, std::vector<ModeComponents>& components);
 
 }  // namespace parallel_aspects
 

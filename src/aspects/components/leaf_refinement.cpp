@@ -2,8 +2,7 @@
 #include "aspects/components/leaf_refinement.h"
 
 #include "aspects/batches/box_requests.h"
-#include "aspects/components/contact_choice.h"
-#include "aspects/components/contact_search.h"
+#include "aspects/components/contacts.h"
 #include "interval/interval.h"
 
 #include <tbb/parallel_for.h>

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_COMPONENTS_LEAF_REFINEMENT_H
 
 #include "aspects/boxes/box_classifier.h"
-#include "aspects/components/leaf_graph.h"
+#include "aspects/components/components.h"
 #include "aspects/tree/pose_tree.h"
 #include "parallel_aspects/aspects/map_control.h"
 

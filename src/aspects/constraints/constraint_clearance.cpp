@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/constraints/constraint_clearance.h"
 
-#include "aspects/constraints/closest_points.h"
-#include "aspects/constraints/link_pairs.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "aspects/constraints/separation.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>

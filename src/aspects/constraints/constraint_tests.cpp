@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/constraints/constraint_tests.h"
 
-#include "aspects/constraints/link_pairs.h"
+#include "aspects/constraints/separation.h"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include "legs/limit_verdict.h"
 #include "legs/link_points.h"
 #include "parallel_aspects/model/constraints.h"
-#include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/model/pose.h"
 
 #include <array>
 #include <cstddef>

@@ -2,11 +2,11 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_CONSTRAINTS_SEPARATION_H
 #define PARALLEL_ASPECTS_ASPECTS_CONSTRAINTS_SEPARATION_H
 
-#include "aspects/constraints/closest_points.h"
 #include "interval/interval.h"
 #include "interval/scalar_range.h"
 #include "legs/limit_verdict.h"
 #include "legs/link_points.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <Eigen/Core>
 
@@ -15,11 +15,35 @@
 #include <cmath>
 #include <cstddef>
 
+namespace parallel_aspects {
+
+/// Of the size of the robot: points that are closer are one joint.
+inline constexpr double joint_tolerance = 1e-9;
+
+/// Whether these links are tested for collision: they are not of one leg, not joined to each other, and not
+/// ignored. The robot must have the constraint of self-collision.
+bool can_collide(const Manipulator& manipulator, const LinkName& one, const LinkName& other) noexcept;
+
+/// Points of two bodies that are closest to each other, in double precision: what is proved starts from
+/// there. Along a segment a share of 0 is its first end, 1 its second.
+struct ClosestPoints {
+  double first_share = 0.0, second_share = 0.0;  ///< the second is unused for a box
+  Eigen::Vector3d second_point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d difference = Eigen::Vector3d::Zero();  ///< first point minus second [m]
+};
+
+/// Of two segments, which may be points. (Ericson, Real-Time Collision Detection, 2005, section 5.1.9.)
+ClosestPoints closest_points(const Eigen::Vector3d& a_from, const Eigen::Vector3d& a_to,
+                             const Eigen::Vector3d& b_from, const Eigen::Vector3d& b_to) noexcept;
+
+/// Of a segment and the box of all |x_i| <= half_size_i. Where they meet, the point of the segment is in the
+/// middle of what the box holds of it, and the difference is zero.
+ClosestPoints closest_point_to_box(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                   const Eigen::Vector3d& half_size) noexcept;
+
 // Whether two straight bodies, whose ends are enclosed over a box of poses, stay apart by more than some
 // distance in all of it, or in none. A guess is made in the middle of the box in double precision; what is
 // proved from it is a plane between the two, or two points that are too close, which holds for any guess.
-
-namespace parallel_aspects {
 
 template <class Scalar, std::size_t D>
 Eigen::Vector3d middle_of(const Point<Scalar, D>& point) {

@@ -5,7 +5,7 @@
 #include "aspects/cusps/held_slice.h"
 #include "legs/held_leg.h"
 #include "legs/planar_leg.h"
-#include "parallel_aspects/aspects/held_joint.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <cstddef>

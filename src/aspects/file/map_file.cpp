@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/map_file.h"
-
+#include "aspects/file/bytes.h"
 #include "aspects/file/map_key.h"
 #include "aspects/file/map_record.h"
-#include "aspects/file/packed_bytes.h"
-#include "aspects/file/whole_file.h"
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_plan.h"
 #include "aspects/map/proof_revision.h"
+#include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/version.h"
 

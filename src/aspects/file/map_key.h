@@ -4,7 +4,8 @@
 
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <cstdint>
@@ -13,6 +14,13 @@
 #include <vector>
 
 namespace parallel_aspects {
+
+/// A name that stays in its line: control characters become "?".
+std::string printable(std::string text);
+
+/// The part of a `map_key` that tells the constraints: every number of them with all its digits, a line each;
+/// empty where there are none.
+std::string constraint_key(const Constraints& constraints);
 
 /// What a map was computed for, as text: the task space and every number of the legs, then the region and the
 /// levels of the tree, which is all that the options come to. A line each, numbers with all their digits; two

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/file/map_record.h"
 
-#include "aspects/file/graph_record.h"
-#include "aspects/file/pose_record.h"
-#include "aspects/file/tree_bytes.h"
-#include "aspects/map/map_location.h"
+#include "aspects/file/part_records.h"
+#include "aspects/map/map_contents.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_FILE_MAP_RECORD_H
 #define PARALLEL_ASPECTS_ASPECTS_FILE_MAP_RECORD_H
 
-#include "aspects/file/byte_stream.h"
+#include "aspects/file/bytes.h"
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_plan.h"
 

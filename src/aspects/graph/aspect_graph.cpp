@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/aspect_graph.h"
-
 #include "aspects/constraints/serial_margin.h"
-#include "aspects/graph/gate_exclusion.h"
 #include "aspects/graph/joined_sets.h"
 #include "aspects/map/map_contents.h"
+#include "parallel_aspects/aspects/connectivity.h"
 
 #include <algorithm>
 #include <array>

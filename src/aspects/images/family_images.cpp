@@ -5,7 +5,7 @@
 #include "aspects/cusps/cusp_functions.h"
 #include "interval/scalar_range.h"
 #include "model/angles.h"
-#include "parallel_aspects/aspects/held_joint.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include "aspects/cusps/planar_held_slice.h"
 #include "aspects/images/singular_images.h"
 #include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <array>

@@ -2,7 +2,7 @@
 #include "aspects/images/strut_images.h"
 
 #include "interval/scalar_range.h"
-#include "legs/rod_on_arc.h"
+#include "legs/link_points.h"
 #include "model/angles.h"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 
 #include "aspects/map/map_contents.h"
-#include "aspects/map/map_location.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,7 @@
 #include "aspects/map/empty_map.h"
 
 #include "aspects/map/map_contents.h"
-#include "model/enumerated.h"
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "model/task_space_traits.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/gate_leaves.h"
 
-#include "aspects/map/map_location.h"
-#include "aspects/tree/face_traversal.h"
+#include "aspects/map/map_contents.h"
+#include "aspects/tree/neighbour_leaves.h"
 
 #include <tbb/parallel_for.h>
 

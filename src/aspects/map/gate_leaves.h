@@ -2,10 +2,10 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_MAP_GATE_LEAVES_H
 #define PARALLEL_ASPECTS_ASPECTS_MAP_GATE_LEAVES_H
 
-#include "aspects/map/gate_classes.h"
+#include "aspects/map/gate_crossings.h"
 #include "aspects/map/map_contents.h"
+#include "parallel_aspects/aspects/connectivity.h"
 #include "parallel_aspects/aspects/map_control.h"
-#include "parallel_aspects/aspects/neighbours.h"
 
 #include <cstddef>
 #include <vector>

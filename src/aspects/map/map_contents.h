@@ -3,11 +3,14 @@
 #define PARALLEL_ASPECTS_ASPECTS_MAP_MAP_CONTENTS_H
 
 #include "aspects/boxes/box_classifier.h"
-#include "aspects/components/node_numbers.h"
+#include "aspects/components/leaf_numbers.h"
+#include "aspects/tree/near_leaves.h"
+#include "aspects/tree/pose_space.h"
 #include "aspects/tree/pose_tree.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_slice.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -59,6 +62,31 @@ struct AspectMap::Contents {
     return id == NodeNumbers::none ? 0 : static_cast<int>(id);
   }
 };
+
+/// Where a working mode stands in the map; nothing where it is not mapped.
+std::optional<std::size_t> mode_index(const AspectMap::Contents& map, const WorkingMode& mode) noexcept;
+
+/// See AspectMap::locate. Neither allocates nor throws.
+Location locate(const AspectMap::Contents& map, std::size_t mode, const MapPosition& position) noexcept;
+
+/// The same where `proved_sign` is known already of the position.
+Location locate(const AspectMap::Contents& map, std::size_t mode, const MapPosition& position,
+                int proved_sign) noexcept;
+
+/// Whether two aspects, by their ids, are one or not yet proved to be two.
+bool may_be_one(const AspectMap& map, int first, int second);
+
+/// A map of which many positions are to be located.
+struct MarkedMap {
+  const AspectMap::Contents& map;
+  InsideMarks marks;
+
+  explicit MarkedMap(const AspectMap::Contents& of) : map(of), marks(of.tree) {}
+};
+
+/// As `locate` of the map, sooner; nothing where the sign of det A at the position is not known yet.
+Location locate(const MarkedMap& map, std::size_t mode, const MapPosition& position,
+                std::optional<int> proved_sign = std::nullopt) noexcept;
 
 }  // namespace parallel_aspects
 

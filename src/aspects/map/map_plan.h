@@ -3,10 +3,11 @@
 #define PARALLEL_ASPECTS_ASPECTS_MAP_MAP_PLAN_H
 
 #include "aspects/boxes/box_classifier.h"
-#include "aspects/boxes/box_policy.h"
 #include "aspects/symmetry/map_symmetry.h"
 #include "aspects/tree/pose_space.h"
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <cstdint>
 #include <memory>
@@ -15,6 +16,12 @@
 #include <vector>
 
 namespace parallel_aspects {
+
+/// The `exact_region` of positions; where one about the middle of the legs is next to nothing larger, and
+/// more symmetries of the manipulator take it onto itself, that one, whose corners are as exact. Else
+/// symmetries about any other point than the origin would hang on how its coordinates are rounded. `exact`:
+/// the `exact_region` of `positions`.
+Box symmetric_region(const Manipulator& manipulator, const Box& positions, const Box& exact);
 
 /// All that a map follows from: the options with every default filled in, and how boxes are proved.
 struct MapPlan {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/neighbours.h"
-
-#include "aspects/map/crossing_index.h"
-#include "aspects/map/gate_classes.h"
+#include "aspects/map/gate_crossings.h"
 #include "aspects/map/gate_leaves.h"
-#include "aspects/map/leaf_crossings.h"
 #include "aspects/map/map_contents.h"
 #include "interval/interval.h"
+#include "parallel_aspects/aspects/connectivity.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/boundary_curves.h"
-
 #include "aspects/pictures/boundary_functions.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/aspects/map_pictures.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>

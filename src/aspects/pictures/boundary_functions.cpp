@@ -2,8 +2,7 @@
 #include "aspects/pictures/boundary_functions.h"
 
 #include "aspects/constraints/constraint_clearance.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <algorithm>
 #include <cmath>

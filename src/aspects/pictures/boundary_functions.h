@@ -2,9 +2,9 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_PICTURES_BOUNDARY_FUNCTIONS_H
 #define PARALLEL_ASPECTS_ASPECTS_PICTURES_BOUNDARY_FUNCTIONS_H
 
-#include "parallel_aspects/aspects/boundary_curves.h"
+#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/aspects/map_slice.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"

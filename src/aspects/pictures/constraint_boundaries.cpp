@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/constraint_boundaries.h"
-
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_plan.h"
 #include "interval/interval.h"
+#include "parallel_aspects/aspects/aspect_map.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

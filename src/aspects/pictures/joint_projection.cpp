@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/joint_projection.h"
-
 #include "model/angles.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/aspects/map_pictures.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <algorithm>
 #include <cmath>

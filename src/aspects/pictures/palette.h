@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_PICTURES_PALETTE_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/boundary_curves.h"
+#include "parallel_aspects/aspects/map_pictures.h"
 
 #include <cstddef>
 #include <cstdint>

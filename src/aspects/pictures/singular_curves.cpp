@@ -3,8 +3,7 @@
 
 #include "aspects/constraints/constraint_clearance.h"
 #include "model/angles.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <Eigen/QR>
 

@@ -2,11 +2,9 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_PICTURES_SINGULAR_CURVES_H
 #define PARALLEL_ASPECTS_ASPECTS_PICTURES_SINGULAR_CURVES_H
 
-#include "parallel_aspects/aspects/boundary_curves.h"
-#include "parallel_aspects/aspects/joint_projection.h"
+#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/aspects/map_slice.h"
-#include "parallel_aspects/aspects/pose_slice.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 

@@ -2,7 +2,7 @@
 #include "aspects/regions/grid_regions.h"
 
 #include "aspects/components/disjoint_sets.h"
-#include "interval/rounding.h"
+#include "interval/interval.h"
 
 #include <algorithm>
 #include <cstdint>

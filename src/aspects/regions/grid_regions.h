@@ -6,7 +6,7 @@
 #include "aspects/regions/found_regions.h"
 #include "aspects/solutions/grid_runs.h"
 #include "aspects/solutions/slice_equations.h"
-#include "aspects/solutions/solution_tracker.h"
+#include "aspects/solutions/solution_equations.h"
 #include "aspects/solutions/value_grid.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_control.h"

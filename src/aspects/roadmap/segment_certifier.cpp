@@ -4,13 +4,12 @@
 #include "aspects/constraints/constraint_tests.h"
 #include "aspects/constraints/finite_lengths.h"
 #include "aspects/constraints/robot_points.h"
-#include "aspects/roadmap/margin_legs.h"
 #include "aspects/roadmap/pose_segment.h"
 #include "interval/nonsingular.h"
 #include "legs/limit_verdict.h"
 #include "legs/spatial_leg.h"
 #include "legs/toleranced.h"
-#include "model/matrix_row.h"
+#include "model/task_space_traits.h"
 
 #include <algorithm>
 #include <cmath>

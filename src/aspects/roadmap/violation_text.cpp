@@ -5,8 +5,8 @@
 #include "interval/path_form.h"
 #include "legs/spatial_leg.h"
 #include "legs/toleranced.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/singularity/margins.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include <array>
 #include <cstddef>

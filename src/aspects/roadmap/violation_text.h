@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_ROADMAP_VIOLATION_TEXT_H
 #define PARALLEL_ASPECTS_ASPECTS_ROADMAP_VIOLATION_TEXT_H
 
-#include "parallel_aspects/aspects/same_aspect.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
 
 #include <string>

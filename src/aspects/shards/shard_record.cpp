@@ -2,8 +2,8 @@
 #include "aspects/shards/shard_record.h"
 
 #include "aspects/components/component_policy.h"
-#include "aspects/components/leaf_graph.h"
-#include "aspects/file/packed_bytes.h"
+#include "aspects/components/components.h"
+#include "aspects/file/bytes.h"
 #include "parallel_aspects/model/problems.h"
 
 #include <string>

@@ -2,8 +2,8 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_SHARDS_SHARD_RECORD_H
 #define PARALLEL_ASPECTS_ASPECTS_SHARDS_SHARD_RECORD_H
 
-#include "aspects/file/byte_stream.h"
-#include "aspects/shards/shard_plan.h"
+#include "aspects/file/bytes.h"
+#include "aspects/shards/shard.h"
 #include "aspects/tree/pose_tree.h"
 #include "parallel_aspects/aspects/map_control.h"
 

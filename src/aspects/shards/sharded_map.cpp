@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/shards/sharded_map.h"
 
-#include "aspects/shards/contested_choice.h"
-#include "aspects/shards/shard_folder.h"
-#include "aspects/shards/shard_merge.h"
-#include "aspects/shards/shard_tree.h"
+#include "aspects/shards/shard.h"
+#include "aspects/shards/shard_rounds.h"
 #include "parallel_aspects/model/problems.h"
 
 #include <tbb/task_arena.h>

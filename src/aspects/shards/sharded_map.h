@@ -2,10 +2,10 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_SHARDS_SHARDED_MAP_H
 #define PARALLEL_ASPECTS_ASPECTS_SHARDS_SHARDED_MAP_H
 
-#include "aspects/file/byte_stream.h"
-#include "aspects/shards/kept_parts.h"
-#include "aspects/shards/shard_plan.h"
+#include "aspects/file/bytes.h"
+#include "aspects/shards/shard.h"
 #include "aspects/shards/shard_record.h"
+#include "aspects/shards/shard_rounds.h"
 #include "parallel_aspects/aspects/map_control.h"
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 #include "aspects/solutions/actuated_space.h"
 
 #include "aspects/solutions/cell_slab.h"
-#include "aspects/tree/box_parts.h"
+#include "aspects/tree/pose_tree.h"
 #include "interval/scalar_range.h"
 #include "model/angles.h"
 

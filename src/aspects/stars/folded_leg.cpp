@@ -2,7 +2,6 @@
 #include "aspects/stars/folded_leg.h"
 
 #include "aspects/boxes/box_intervals.h"
-#include "aspects/stars/about_fold.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 
 #include "aspects/stars/star_check.h"
 #include "aspects/stars/star_coordinates.h"
+#include "aspects/stars/star_finder.h"
 #include "aspects/stars/star_survey.h"
-#include "aspects/stars/stars.h"
 
 #include <algorithm>
 #include <array>

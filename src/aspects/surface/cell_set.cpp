@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/surface/cell_set.h"
 
-#include "aspects/map/map_location.h"
+#include "aspects/map/map_contents.h"
 #include "aspects/tree/pose_tree.h"
 #include "model/angles.h"
 

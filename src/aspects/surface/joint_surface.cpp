@@ -2,7 +2,7 @@
 #include "aspects/surface/joint_surface.h"
 
 #include "model/angles.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <algorithm>
 #include <cmath>

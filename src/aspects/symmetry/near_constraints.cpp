@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/symmetry/near_constraints.h"
 
-#include "aspects/symmetry/constraint_symmetry.h"
+#include "aspects/symmetry/robot_symmetry.h"
 
 #include <algorithm>
 #include <array>

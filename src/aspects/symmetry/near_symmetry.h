@@ -4,7 +4,7 @@
 
 #include "aspects/symmetry/rigid_symmetry.h"
 #include "parallel_aspects/model/leg.h"
-#include "parallel_aspects/model/task_space.h"
+#include "parallel_aspects/model/pose.h"
 
 #include <Eigen/Core>
 

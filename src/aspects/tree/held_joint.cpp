@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/held_joint.h"
-
 #include "model/angles.h"
-#include "model/number_text.h"
+#include "model/message_text.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <algorithm>
 #include <cmath>

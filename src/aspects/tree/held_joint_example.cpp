@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/tree/held_joint_example.h"
 
-#include "model/number_text.h"
-#include "parallel_aspects/aspects/held_joint.h"
+#include "model/message_text.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <algorithm>
 #include <cmath>

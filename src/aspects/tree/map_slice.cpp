@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/map_slice.h"
 
-#include "model/enumerated.h"
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/aspects/held_joint.h"
 
 #include <algorithm>
 #include <array>

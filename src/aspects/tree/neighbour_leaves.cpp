@@ -10,6 +10,63 @@
 namespace parallel_aspects {
 namespace {
 
+NodeIndex bit(std::size_t axis) { return NodeIndex{1} << axis; }
+
+}  // namespace
+
+FacingRanks facing_ranks(std::size_t dimension, std::size_t axis) {
+  FacingRanks facing;
+  for (NodeIndex rank = 0; rank < bit(dimension); ++rank)
+    if ((rank & bit(axis)) == 0) facing.emplace_back(rank + bit(axis), rank);
+  return facing;
+}
+
+FacingRanks facing_ranks(std::size_t dimension, const Gluing& gluing) {
+  FacingRanks facing;
+  for (NodeIndex rank = 0; rank < bit(dimension); ++rank) {
+    if (((rank & bit(gluing.first.axis)) != 0) != gluing.first.upper) continue;
+    NodeIndex other = gluing.second.upper ? bit(gluing.second.axis) : 0;
+    for (std::size_t i = 0; i < dimension; ++i)
+      if (i != gluing.first.axis && ((rank & bit(i)) != 0) != gluing.flipped[i])
+        other |= bit(gluing.axis_of[i]);
+    facing.emplace_back(rank, other);
+  }
+  return facing;
+}
+
+namespace {
+
+NodePlace image(const PoseSpace& space, const Gluing& gluing, const NodePlace& place,
+                bool from_first) noexcept {
+  const RootFace& to = from_first ? gluing.second : gluing.first;
+  const std::uint32_t last = (std::uint32_t{1} << place.level) - 1;
+  NodePlace there{{}, place.level, to.root};
+  for (std::size_t i = 0; i < space.dimension(); ++i) {
+    const std::uint32_t cell = place.cell[from_first ? i : gluing.axis_of[i]];
+    there.cell[from_first ? gluing.axis_of[i] : i] = gluing.flipped[i] ? last - cell : cell;
+  }
+  there.cell[to.axis] = to.upper ? last : 0;
+  return there;
+}
+
+}  // namespace
+
+std::optional<NodePlace> place_across(const PoseSpace& space, const NodePlace& place,
+                                      const NodeFace& face) noexcept {
+  const std::uint32_t last = (std::uint32_t{1} << place.level) - 1;
+  if (place.cell[face.axis] != (face.upper ? last : 0)) {
+    NodePlace there = place;
+    there.cell[face.axis] += face.upper ? 1U : ~0U;
+    return there;
+  }
+  const RootFace end{place.root, static_cast<std::uint8_t>(face.axis), face.upper};
+  for (const Gluing& gluing : space.gluings())
+    if (gluing.first == end || gluing.second == end) return image(space, gluing, place, gluing.first == end);
+  return std::nullopt;
+}
+
+namespace {
+
 constexpr std::uint32_t units = std::uint32_t{1} << PoseTree::deepest_level;  // across a root box
 
 /// A closed range along one coordinate, in units of the deepest level.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/tree/pose_tree.h"
 
-#include "aspects/tree/exact_corners.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

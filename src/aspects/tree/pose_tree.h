@@ -6,7 +6,9 @@
 #include "aspects/tree/pose_space.h"
 #include "parallel_aspects/aspects/box.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -14,6 +16,15 @@
 #include <vector>
 
 namespace parallel_aspects {
+
+/// The half, quarter or eighth of this rank (see `Box::rank_of`). Parts of one box share their corners bit
+/// for bit, however the middle is rounded.
+inline Box part_of(const Box& box, std::uint32_t rank) noexcept {
+  Box part = box;
+  for (std::size_t i = 0; i < box.dimension; ++i)
+    ((rank >> i & 1U) != 0 ? part.lower : part.upper)[i] = box.center(i);
+  return part;
+}
 
 /// Index of a node in a `PoseTree`; the roots come first.
 using NodeIndex = std::uint32_t;
@@ -141,6 +152,25 @@ NodeIndex PoseTree::divide(NodeIndex node, const Predicate& divides_mode) {
       state(child, mode) = LeafState::pending();
   }
   return first;
+}
+
+// Widths of regions are multiples of one unit, at most 2^23 of them. Divided 2^28 times a corner then needs
+// 23 + 28 = 51 bits of the 53 that a double has, and a center one more.
+inline constexpr int bits_of_corners = 23;
+
+/// That unit, of an interval whose ends are this far from zero at the most. It is as fine as it can be: the
+/// region is then cut alike in every unit of length.
+inline double unit_of_corners(double farthest) noexcept {
+  return std::ldexp(1.0, std::ilogb(farthest) + 1 - bits_of_corners);
+}
+
+/// Whether all corners of boxes are exact in an interval: its width is a multiple of the unit, and its ends
+/// of the edges of the smallest boxes.
+inline bool has_exact_corners(double lower, double upper) noexcept {
+  const double unit = unit_of_corners(std::max(std::abs(lower), std::abs(upper)));
+  const double edge = std::ldexp(unit, -static_cast<int>(PoseTree::deepest_level));
+  return std::isnormal(edge) && std::remainder(lower, edge) == 0.0 && std::remainder(upper, edge) == 0.0 &&
+         std::remainder(upper - lower, unit) == 0.0;
 }
 
 }  // namespace parallel_aspects

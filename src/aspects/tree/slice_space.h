@@ -5,6 +5,7 @@
 #include "aspects/tree/pose_space.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <memory>
 
@@ -15,6 +16,11 @@ namespace parallel_aspects {
 /// farther from the slice than rounding has no position in it: `position` is not finite then.
 std::shared_ptr<const PoseSpace> make_slice_space(const MapSlice& slice, const Box& positions,
                                                   double characteristic_length);
+
+/// The poses of SE2 with an actuated joint held: one root box of two directions in half turns, that of the
+/// rod of its leg and phi, each with its two ends glued. A pose whose rod has its length to within
+/// `held_joint_tolerance` counts as the one of the slice in the same direction.
+std::shared_ptr<const PoseSpace> make_held_joint_space(const Manipulator& manipulator, const MapSlice& slice);
 
 }  // namespace parallel_aspects
 

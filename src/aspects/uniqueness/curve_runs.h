@@ -2,8 +2,8 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_CURVE_RUNS_H
 #define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_CURVE_RUNS_H
 
-#include "aspects/cusps/cusp_family.h"
 #include "aspects/cusps/cusp_trace.h"
+#include "aspects/cusps/cusp_tube.h"
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_control.h"

@@ -2,10 +2,8 @@
 #include "aspects/uniqueness/cusp_aspect.h"
 
 #include "model/angles.h"
-#include "parallel_aspects/aspects/held_joint.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <Eigen/Core>
 

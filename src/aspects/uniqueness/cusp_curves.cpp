@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/cusps/curve_search.h"
-#include "aspects/cusps/cusp_family.h"
+#include "aspects/cusps/cusp_search.h"
+#include "aspects/cusps/cusp_tube.h"
 #include "aspects/uniqueness/curve_runs.h"
 #include "interval/half_turns.h"
 #include "model/angles.h"
-#include "parallel_aspects/aspects/held_joint.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/uniqueness.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/uniqueness/node_search.h"
 
-#include "aspects/cusps/injective_boxes.h"
+#include "aspects/cusps/strut_slice.h"
 #include "aspects/images/strut_images.h"
 #include "aspects/zeros/krawczyk.h"
 #include "interval/scalar_range.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/uniqueness/path_in_regions.h"
 
-#include "interval/rounding.h"
+#include "interval/interval.h"
 #include "parallel_aspects/model/leg.h"
 
 #include <algorithm>

@@ -5,17 +5,16 @@
 #include "aspects/cusps/planar_held_slice.h"
 #include "aspects/images/strut_images.h"
 #include "aspects/regions/basic_regions.h"
-#include "aspects/regions/uniqueness_domains.h"
+#include "aspects/regions/found_regions.h"
 #include "aspects/solutions/actuated_space.h"
 #include "aspects/solutions/solution_regions.h"
-#include "aspects/solutions/strut_equations.h"
-#include "aspects/solutions/strut_poses.h"
+#include "aspects/solutions/strut_solutions.h"
 #include "aspects/uniqueness/node_search.h"
-#include "aspects/uniqueness/number_table.h"
 #include "aspects/uniqueness/path_in_regions.h"
-#include "interval/rounding.h"
+#include "aspects/uniqueness/solution_numbers.h"
+#include "interval/interval.h"
 #include "model/angles.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <algorithm>
 #include <cstddef>

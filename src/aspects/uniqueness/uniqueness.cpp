@@ -5,14 +5,12 @@
 #include "aspects/cusps/held_slice.h"
 #include "aspects/uniqueness/cusp_aspect.h"
 #include "aspects/uniqueness/mode_uniqueness.h"
-#include "aspects/uniqueness/slice_uniqueness.h"
 #include "aspects/uniqueness/solution_numbers.h"
 #include "aspects/uniqueness/strut_uniqueness.h"
 #include "aspects/uniqueness/uniqueness_problem.h"
 #include "model/angles.h"
-#include "parallel_aspects/aspects/held_joint.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <algorithm>
 #include <cstddef>

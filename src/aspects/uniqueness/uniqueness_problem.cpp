@@ -3,7 +3,7 @@
 
 #include "aspects/tree/held_joint_example.h"
 #include "model/angles.h"
-#include "parallel_aspects/aspects/held_joint.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/model/constraints.h"
 

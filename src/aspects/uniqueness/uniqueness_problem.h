@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_UNIQUENESS_PROBLEM_H
 
 #include "parallel_aspects/model/manipulator.h"
-#include "parallel_aspects/model/task_space.h"
+#include "parallel_aspects/model/pose.h"
 
 namespace parallel_aspects {
 

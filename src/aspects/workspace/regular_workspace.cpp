@@ -2,12 +2,10 @@
 #include "parallel_aspects/aspects/regular_workspace.h"
 
 #include "aspects/map/map_contents.h"
-#include "aspects/map/map_location.h"
-#include "aspects/workspace/shape_gauge.h"
+#include "aspects/workspace/shape_room.h"
 #include "aspects/workspace/shape_search.h"
-#include "aspects/workspace/usable_leaves.h"
-#include "interval/rounding.h"
-#include "model/number_text.h"
+#include "interval/interval.h"
+#include "model/message_text.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/workspace/shape_search.h"
 
-#include "interval/rounding.h"
-#include "model/number_text.h"
+#include "interval/interval.h"
+#include "model/message_text.h"
 
 #include <algorithm>
 #include <cfenv>

@@ -2,8 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_WORKSPACE_SHAPE_SEARCH_H
 #define PARALLEL_ASPECTS_ASPECTS_WORKSPACE_SHAPE_SEARCH_H
 
-#include "aspects/workspace/shape_gauge.h"
-#include "aspects/workspace/usable_leaves.h"
+#include "aspects/workspace/shape_room.h"
 #include "parallel_aspects/aspects/regular_workspace.h"
 
 #include <cstddef>

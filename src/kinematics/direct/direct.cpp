@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/kinematics/direct.h"
-
-#include "kinematics/direct/continuum.h"
-#include "kinematics/direct/direct_se2.h"
+#include "kinematics/direct/direct_candidates.h"
+#include "kinematics/direct/direct_problem.h"
 #include "kinematics/direct/direct_se3.h"
-#include "kinematics/direct/direct_so3.h"
-#include "kinematics/direct/direct_t1.h"
-#include "kinematics/direct/direct_t2.h"
-#include "kinematics/direct/direct_t3.h"
-#include "kinematics/direct/pose_refinement.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <algorithm>
 #include <cmath>

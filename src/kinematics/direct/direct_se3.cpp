@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/direct/direct_se3.h"
 
-#include "kinematics/direct/locked_legs.h"
+#include "kinematics/direct/direct_problem.h"
 #include "kinematics/homotopy/platform_paths.h"
 #include "kinematics/homotopy/platform_start.h"
 

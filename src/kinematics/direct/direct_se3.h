@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_KINEMATICS_DIRECT_DIRECT_SE3_H
 #define PARALLEL_ASPECTS_KINEMATICS_DIRECT_DIRECT_SE3_H
 
-#include "parallel_aspects/kinematics/direct.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 namespace parallel_aspects {
 

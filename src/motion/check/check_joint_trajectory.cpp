@@ -3,12 +3,9 @@
 #include "interval/path_form.h"
 #include "motion/check/check_text.h"
 #include "motion/check/fold.h"
-#include "motion/check/joint_path.h"
+#include "motion/check/joint_assembly.h"
 #include "motion/check/segment_times.h"
-#include "motion/check/speed_search.h"
-#include "motion/check/start_assembly.h"
 #include "motion/check/trajectory_survey.h"
-#include "motion/check/unassembled.h"
 #include "parallel_aspects/motion/check_trajectory.h"
 #include "tracking/continuation.h"
 

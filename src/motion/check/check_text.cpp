@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/check/check_text.h"
 
-#include "model/number_text.h"
-#include "parallel_aspects/singularity/margins.h"
+#include "model/message_text.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include <cmath>
 

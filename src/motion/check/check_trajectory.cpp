@@ -2,14 +2,16 @@
 #include "parallel_aspects/motion/check_trajectory.h"
 
 #include "motion/check/check_text.h"
+#include "motion/check/joint_assembly.h"
 #include "motion/check/segment_times.h"
-#include "motion/check/speed_search.h"
 #include "motion/check/trajectory_survey.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "tracking/pose_certifier.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace parallel_aspects {
 namespace {
@@ -199,6 +201,91 @@ TrajectoryCheck check_trajectory(const SegmentCertifier& certifier,
   const Problems problems = problems_of(*certifier.manipulator(), waypoints, mode);
   if (!problems.empty()) return refused(problems);
   return PoseCheck(certifier, waypoints, mode, options).run();
+}
+
+namespace {
+
+bool is_usable(const JointVector& values, Eigen::Index legs, bool required) {
+  if (values.size() == 0) return !required;
+  return values.size() == legs && values.allFinite() && is_usable_number(values.cwiseAbs().maxCoeff());
+}
+
+void check_numbers(const JointWaypoint& waypoint, const std::string& which, Eigen::Index legs,
+                   Problems& problems) {
+  if (!is_usable_number(waypoint.time) || !is_usable(waypoint.q, legs, true) ||
+      !is_usable(waypoint.velocity, legs, false) || !is_usable(waypoint.acceleration, legs, false))
+    problems.push_back(which + " needs " + std::to_string(legs) +
+                       " finite joint values up to 1e12, and as many velocities and accelerations or none.");
+  else if (waypoint.acceleration.size() > 0 && waypoint.velocity.size() == 0)
+    problems.push_back(which + " has accelerations but no velocities; give both.");
+}
+
+}  // namespace
+
+Problems problems_of(const Manipulator& manipulator, const std::vector<JointWaypoint>& waypoints,
+                     const TrajectoryStart& start) {
+  if (waypoints.empty()) return {"The trajectory has no waypoint; give one or more."};
+  Problems problems;
+  const auto legs = static_cast<Eigen::Index>(manipulator.leg_count());
+  for (std::size_t i = 0; i < waypoints.size(); ++i)
+    check_numbers(waypoints[i], waypoint_text(i), legs, problems);
+  if (!problems.empty()) return problems;
+  require_rising_times(waypoints, problems);
+  if (manipulator.tolerance() > 0.0)
+    problems.emplace_back(
+        "Trajectories of actuated joints are not checked within a tolerance; leave it out.");
+  const std::string misfit = start_misfit(manipulator, waypoints.front().q, start);
+  if (!misfit.empty()) problems.push_back(misfit);
+  return problems;
+}
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+SampleDistances measured(BoundaryDistanceMeter& meter, const Pose& pose, const WorkingMode& mode) {
+  const BoundaryDistances found = meter.measure(pose, mode);
+  return {true, {found.parallel.lower, found.serial.lower, found.actuated_limit.lower}};
+}
+
+// A distance changes by no more than the robot moves.
+void carry(const TrajectorySample& from, const SampleDistances& known, const TrajectorySample& to,
+           SampleDistances& there) {
+  if (there.measured) return;
+  const double moved = std::abs(to.travel - from.travel) * (1.0 + 0x1p-50);
+  for (std::size_t k = 0; k < known.lower.size(); ++k)
+    there.lower[k] = std::max(there.lower[k], known.lower[k] - moved);
+}
+
+}  // namespace
+
+std::vector<SampleDistances> distances_on(const std::shared_ptr<const Manipulator>& manipulator,
+                                          const TrajectoryCheck& check, std::size_t points) {
+  const std::vector<TrajectorySample>& samples = check.samples;
+  if (points == 0 || samples.empty() || !check.mode) return {};
+  std::vector<SampleDistances> distances(samples.size());
+  BoundaryDistanceMeter meter(manipulator);
+  const std::size_t last = samples.size() - 1, count = std::min(std::max<std::size_t>(points, 2), last + 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = count == 1 ? 0 : i * last / (count - 1);
+    distances[at] = measured(meter, samples[at].pose, *check.mode);
+  }
+  for (std::size_t i = 1; i <= last; ++i) carry(samples[i - 1], distances[i - 1], samples[i], distances[i]);
+  for (std::size_t i = last; i-- > 0;) carry(samples[i + 1], distances[i + 1], samples[i], distances[i]);
+  return distances;
+}
+
+std::array<double, 3> least_distances(const TrajectoryCheck& check,
+                                      const std::vector<SampleDistances>& distances) {
+  std::array<double, 3> least{infinity, infinity, infinity};
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    const SampleDistances& other = distances[i == 0 ? 0 : i - 1];
+    const double moved =
+        i == 0 ? 0.0 : (check.samples[i].travel - check.samples[i - 1].travel) * (1.0 + 0x1p-50);
+    for (std::size_t k = 0; k < least.size(); ++k)
+      least[k] = std::min(least[k], std::max(0.0, std::max(distances[i].lower[k], other.lower[k]) - moved));
+  }
+  return least;
 }
 
 }  // namespace parallel_aspects

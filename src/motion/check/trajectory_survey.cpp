@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/check/trajectory_survey.h"
 
-#include "interval/rounding.h"
+#include "interval/interval.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model/number_text.h"
-#include "motion/choose/path_pieces.h"
+#include "model/message_text.h"
+#include "motion/choose/path_measures.h"
 #include "motion/choose/posture_change.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
 

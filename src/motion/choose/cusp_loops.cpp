@@ -2,8 +2,7 @@
 #include "motion/choose/cusp_loops.h"
 
 #include "model/angles.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>

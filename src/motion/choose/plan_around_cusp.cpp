@@ -3,13 +3,12 @@
 
 #include "aspects/uniqueness/cusp_aspect.h"
 #include "model/angles.h"
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "motion/choose/cusp_loops.h"
 #include "motion/plan/path_builder.h"
-#include "parallel_aspects/aspects/held_joint.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/tracking/stand_off.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/tracking/tracker.h"
 
 #include <Eigen/Core>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/choose/posture_change.h"
 
-#include "aspects/boxes/crossing_proof.h"
+#include "aspects/boxes/segment_proof.h"
 #include "interval/interval.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <algorithm>
 #include <cmath>

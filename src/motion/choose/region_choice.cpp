@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "motion/choose/path_effort.h"
+#include "motion/choose/path_measures.h"
 #include "motion/choose/region_survey.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
 

@@ -3,7 +3,7 @@
 
 #include "aspects/tree/slice_space.h"
 #include "interval/interval.h"
-#include "model/number_text.h"
+#include "model/message_text.h"
 
 #include <algorithm>
 #include <cmath>

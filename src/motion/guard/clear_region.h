@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_MOTION_GUARD_CLEAR_REGION_H
 
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/tracking/thresholds.h"
+#include "parallel_aspects/tracking/hazards.h"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/motion/escape_direction.h"
-
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/motion/motion_guard.h"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/guard/hazard_judge.h"
 
-#include "interval/rounding.h"
+#include "interval/interval.h"
 #include "model/task_space_traits.h"
-#include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,6 @@
 
 #include "motion/guard/clear_region.h"
 #include "motion/guard/issued_motion.h"
-#include "motion/guard/stopping.h"
 #include "parallel_aspects/motion/motion_guard.h"
 
 #include <array>

@@ -2,8 +2,7 @@
 #include "motion/plan/aspect_paths.h"
 
 #include "aspects/map/map_contents.h"
-#include "aspects/map/map_location.h"
-#include "aspects/roadmap/path_search.h"
+#include "aspects/roadmap/roadmap_growth.h"
 #include "motion/plan/end_aspects.h"
 
 #include <algorithm>

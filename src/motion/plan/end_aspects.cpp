@@ -2,12 +2,11 @@
 #include "motion/plan/end_aspects.h"
 
 #include "aspects/map/map_contents.h"
-#include "aspects/map/map_location.h"
 #include "aspects/roadmap/violation_text.h"
 #include "motion/plan/leaf_path.h"
 #include "motion/plan/path_builder.h"
-#include "parallel_aspects/aspects/held_joint.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #ifndef PARALLEL_ASPECTS_MOTION_PLAN_GATE_ROUTE_H
 #define PARALLEL_ASPECTS_MOTION_PLAN_GATE_ROUTE_H
 
-#include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/connectivity.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/motion/plan_path.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/components/climb.h"
-#include "aspects/map/map_location.h"
+#include "aspects/map/map_contents.h"
 #include "aspects/tree/neighbour_leaves.h"
 #include "interval/interval.h"
 #include "motion/plan/leaf_path.h"

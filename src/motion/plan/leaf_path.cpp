@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/plan/leaf_path.h"
 
-#include "aspects/map/map_location.h"
-#include "aspects/tree/face_traversal.h"
+#include "aspects/map/map_contents.h"
 #include "aspects/tree/near_leaves.h"
 #include "aspects/tree/neighbour_leaves.h"
 #include "motion/plan/path_shape.h"

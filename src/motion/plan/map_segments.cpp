@@ -3,12 +3,10 @@
 
 #include "aspects/boxes/segment_proof.h"
 #include "aspects/map/map_contents.h"
-#include "aspects/map/map_location.h"
 #include "interval/interval.h"
 #include "model/angles.h"
 #include "motion/plan/path_shape.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <algorithm>
 #include <array>

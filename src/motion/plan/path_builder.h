@@ -2,8 +2,9 @@
 #ifndef PARALLEL_ASPECTS_MOTION_PLAN_PATH_BUILDER_H
 #define PARALLEL_ASPECTS_MOTION_PLAN_PATH_BUILDER_H
 
+#include "motion/plan/path_shape.h"
 #include "parallel_aspects/model/manipulator.h"
-#include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/motion/plan_path.h"
 
 #include <cstddef>
@@ -56,6 +57,37 @@ class PathBuilder {
 /// The path with whole turns added to angles without limits, the same at all of its points, so that it begins
 /// next to these values of the actuated joints; as it is where there are none.
 PlannedPath begun_at(const std::optional<JointVector>& q, const Manipulator& manipulator, PlannedPath path);
+
+/// Keeps the path that is preferred of those that are offered.
+class BestPath {
+ public:
+  /// Both outlive it.
+  BestPath(const Manipulator& robot, const PathWish& wish) : robot_(robot), wish_(wish) {}
+
+  /// Of another path than one that is found nothing is kept.
+  void offer(PlannedPath path);
+
+  bool has_path() const noexcept { return static_cast<bool>(best_); }
+
+  /// The best, which leaves this empty.
+  PlannedPath take() { return std::exchange(best_, {}); }
+
+ private:
+  using Cost = std::pair<double, double>;  // the latter where the former is equal
+
+  Cost cost(const PlannedPath& path) const;
+
+  const Manipulator& robot_;
+  const PathWish& wish_;
+  PlannedPath best_;
+  Cost best_cost_;
+};
+
+/// Whether no path is shorter.
+bool is_straight(const PlannedPath& path);
+
+/// Shapes of paths of which one may be what is preferred; the shortest first.
+std::vector<PathShape> shapes_for(PathPreference preference);
 
 }  // namespace parallel_aspects
 

@@ -3,7 +3,7 @@
 
 #include "model/angles.h"
 #include "motion/plan/leaf_path.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>

@@ -4,9 +4,9 @@
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_control.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
-#include "parallel_aspects/model/vectors.h"
 #include "parallel_aspects/motion/plan_path.h"
 
 #include <functional>
@@ -15,6 +15,14 @@
 #include <vector>
 
 namespace parallel_aspects {
+
+/// Appends corners of the actuated joints [rad or m] such that straight motions of these between corners take
+/// the platform along the poses of a planned path, from one corner to the next with det A away from zero,
+/// certified by continuation; serial singularities are passed in one motion. The first corner is left out
+/// where there are corners already, of which the last is at the start of the path. False where something is
+/// not certified; then `corners` is of no use.
+bool append_joint_corners(const PathPlanner& planner, const Manipulator& manipulator, const PlannedPath& path,
+                          std::vector<JointVector>& corners);
 
 /// A task that one aspect cannot do: something is picked up in the aspect of the start, and placed where that
 /// aspect does not hold the platform, which is proved. So the robot changes its working mode on its path.

@@ -2,12 +2,10 @@
 #include "aspects/constraints/serial_margin.h"
 #include "motion/plan/end_aspects.h"
 #include "motion/plan/path_builder.h"
-#include "motion/plan/path_choice.h"
 #include "motion/plan/path_shape.h"
-#include "motion/plan/pose_graph.h"
-#include "motion/plan/roadmap_gates.h"
-#include "parallel_aspects/aspects/same_aspect.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "motion/plan/roadmap_paths.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/motion/plan_path.h"
 
 #include <algorithm>

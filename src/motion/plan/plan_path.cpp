@@ -3,13 +3,11 @@
 
 #include "aspects/constraints/serial_margin.h"
 #include "aspects/map/map_contents.h"
-#include "aspects/map/map_location.h"
 #include "motion/plan/aspect_paths.h"
 #include "motion/plan/end_aspects.h"
 #include "motion/plan/gate_route.h"
 #include "motion/plan/leaf_path.h"
 #include "motion/plan/path_builder.h"
-#include "motion/plan/path_choice.h"
 #include "motion/plan/unresolved_text.h"
 
 #include <algorithm>

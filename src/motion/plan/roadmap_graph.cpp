@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/motion/roadmap_graph.h"
-
 #include "aspects/constraints/serial_margin.h"
 #include "aspects/graph/joined_sets.h"
-#include "aspects/map/crossing_index.h"
+#include "aspects/map/gate_crossings.h"
 #include "aspects/roadmap/pose_sampler.h"
-#include "motion/plan/roadmap_gates.h"
+#include "motion/plan/roadmap_paths.h"
+#include "parallel_aspects/motion/plan_path.h"
 
 #include <algorithm>
 #include <map>

@@ -3,11 +3,9 @@
 
 #include "aspects/map/gate_leaves.h"
 #include "aspects/map/map_contents.h"
-#include "aspects/map/map_location.h"
-#include "aspects/tree/face_traversal.h"
-#include "model/number_text.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "aspects/tree/neighbour_leaves.h"
+#include "model/message_text.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>

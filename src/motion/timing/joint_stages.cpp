@@ -3,8 +3,8 @@
 
 #include "motion/plan/leaf_path.h"
 #include "motion/roadmap.h"
-#include "motion/timing/joint_curve.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "motion/timing/timed_curve.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <algorithm>
 #include <array>

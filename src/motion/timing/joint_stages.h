@@ -4,7 +4,6 @@
 
 #include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/motion/plan_path.h"
-#include "parallel_aspects/motion/time_path.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/motion/time_path.h"
-
 #include "aspects/constraints/serial_margin.h"
-#include "motion/timing/joint_curve.h"
 #include "motion/timing/joint_stages.h"
-#include "motion/timing/timed_waypoints.h"
+#include "motion/timing/timed_curve.h"
+#include "parallel_aspects/motion/plan_path.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_JOINT_STATES_JOINT_SAMPLE_H
 #define PARALLEL_ASPECTS_ROS_JOINT_STATES_JOINT_SAMPLE_H
 
-#include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "ros/joint_states/publisher_watch.h"
 

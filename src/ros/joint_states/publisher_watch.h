@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_JOINT_STATES_PUBLISHER_WATCH_H
 #define PARALLEL_ASPECTS_ROS_JOINT_STATES_PUBLISHER_WATCH_H
 
-#include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/model/pose.h"
 
 #include <ros/duration.h>
 #include <ros/time.h>

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/messages/configurations.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "model/spherical_links.h"
 #include "parallel_aspects/ask/kinematics.h"
-#include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/model/anchor_distance.h"
-#include "parallel_aspects/singularity/margins.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -180,6 +181,15 @@ std::string why_not_at(const Manipulator& manipulator, const Pose& pose, const J
   return std::isfinite(nearest) ? "The nearest assembly mode of these actuated joints is " +
                                       distance_text(manipulator, nearest) + " away."
                                 : "With these actuated joints the robot does not assemble.";
+}
+
+void report_component(const Manipulator& manipulator, const SolvedPose& solved, const PoseRoadmap* roadmap,
+                      SolvedConfiguration& message) {
+  message.aspect_status = SolvedConfiguration::NO_MAP;
+  const auto mode = working_mode(manipulator, solved.pose, solved.q);
+  if (roadmap == nullptr || !mode) return;
+  const RoadmapLocation location = locate(*roadmap, solved.pose, *mode);
+  if (location.component) message.roadmap_component = *location.component + 1;
 }
 
 }  // namespace parallel_aspects

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_MESSAGES_CONFIGURATIONS_H
 #define PARALLEL_ASPECTS_ROS_MESSAGES_CONFIGURATIONS_H
 
+#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "ros/messages/conversions.h"
 
 #include <parallel_aspects/Configuration.h>
@@ -53,6 +54,10 @@ ConfigurationAnswer configurations_at_joints(const Manipulator& manipulator, con
 /// Why a robot with these actuated joints is not at a pose, for people: nothing reaches it, or how far the
 /// nearest assembly mode is from it.
 std::string why_not_at(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
+
+/// Where no map exists: which component of the roadmap, which may be null, a configuration is joined to.
+void report_component(const Manipulator& manipulator, const SolvedPose& solved, const PoseRoadmap* roadmap,
+                      SolvedConfiguration& message);
 
 }  // namespace parallel_aspects
 

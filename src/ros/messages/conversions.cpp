@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/messages/conversions.h"
 
-#include "model/coefficients.h"
+#include "model/linear_algebra.h"
 #include "model/spherical_links.h"
 #include "model/task_space_traits.h"
-#include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/motion/escape_direction.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/motion/motion_guard.h"
 #include "ros/messages/hazard_messages.h"
 #include "ros/messages/not_a_number.h"
 

@@ -4,7 +4,7 @@
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/singularity/indices.h"
 #include "parallel_aspects/tracking/tracker.h"

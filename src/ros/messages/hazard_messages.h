@@ -4,9 +4,8 @@
 
 #include "model/spherical_links.h"
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/tracking/hazard_memory.h"
-#include "parallel_aspects/tracking/stand_off.h"
-#include "parallel_aspects/tracking/thresholds.h"
+#include "parallel_aspects/tracking/hazards.h"
+#include "parallel_aspects/tracking/tracker.h"
 
 #include <parallel_aspects/DistanceBounds.h>
 #include <parallel_aspects/LastHazard.h>

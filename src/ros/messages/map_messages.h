@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 
 namespace parallel_aspects {
 
@@ -24,6 +25,9 @@ SharedMechanism mechanism_of(const GetMap::Response& response);
 
 /// The map of a response with the status OK that brings one, of its mechanism.
 MapResult map_of(const GetMap::Response& response, const Mechanism& mechanism);
+
+/// The aspects of a map as lines of text, for the console.
+std::string aspect_table(const AspectMap& map);
 
 }  // namespace parallel_aspects
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/monitor/hazard_watch.h"
 
-#include "parallel_aspects/model/anchor_distance.h"
-#include "parallel_aspects/motion/escape_direction.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/motion/motion_guard.h"
 #include "ros/messages/hazard_messages.h"
 
 #include <algorithm>

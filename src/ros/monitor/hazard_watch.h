@@ -4,9 +4,7 @@
 
 #include "model/spherical_links.h"
 #include "parallel_aspects/motion/motion_guard.h"
-#include "parallel_aspects/tracking/approach_speed.h"
-#include "parallel_aspects/tracking/hazard_memory.h"
-#include "parallel_aspects/tracking/thresholds.h"
+#include "parallel_aspects/tracking/hazards.h"
 #include "parallel_aspects/tracking/tracker.h"
 
 #include <parallel_aspects/AspectState.h>

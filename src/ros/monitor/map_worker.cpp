@@ -2,9 +2,8 @@
 #include "ros/monitor/map_worker.h"
 
 #include "aspects/map/empty_map.h"
-#include "parallel_aspects/aspects/aspect_graph.h"
-#include "parallel_aspects/aspects/constraint_boundaries.h"
-#include "parallel_aspects/aspects/map_file.h"
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/connectivity.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "ros/messages/conversions.h"
 

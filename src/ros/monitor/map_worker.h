@@ -4,9 +4,9 @@
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/distance/distance_map.h"
+#include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/model/manipulator.h"
-#include "ros/monitor/domain_finder.h"
+#include "ros/monitor/known_domains.h"
 
 #include <parallel_aspects/MapProgress.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/monitor/robot_monitor.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "ros/messages/hazard_messages.h"
 #include "ros/messages/not_a_number.h"
-#include "ros/monitor/state_messages.h"
+#include "ros/monitor/missing_state.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 #define PARALLEL_ASPECTS_ROS_MONITOR_ROBOT_MONITOR_H
 
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/tracking/stand_off.h"
 #include "parallel_aspects/tracking/tracker.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "parallel_aspects/urdf/passive_joints.h"
@@ -14,9 +13,9 @@
 #include "ros/messages/configurations.h"
 #include "ros/messages/conversions.h"
 #include "ros/monitor/assembly_search.h"
-#include "ros/monitor/domain_report.h"
 #include "ros/monitor/hazard_watch.h"
-#include "ros/monitor/sample_age.h"
+#include "ros/monitor/known_domains.h"
+#include "ros/monitor/missing_state.h"
 #include "ros/monitor/velocity_guard.h"
 #include "ros/parameters/node_options.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/monitor/threshold_offer.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "model/spherical_links.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/monitor/velocity_guard.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "model/task_space_traits.h"
 #include "ros/joint_states/joint_merger.h"
 

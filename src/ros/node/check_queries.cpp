@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/check_queries.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "model/spherical_links.h"
-#include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <cmath>
 #include <utility>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/choice_queries.h"
 
-#include "ros/messages/choice_messages.h"
 #include "ros/messages/conversions.h"
+#include "ros/messages/motion_messages.h"
 #include "ros/plan/plan_question.h"
 
 #include <algorithm>

@@ -2,11 +2,17 @@
 #ifndef PARALLEL_ASPECTS_ROS_NODE_MAP_QUERIES_H
 #define PARALLEL_ASPECTS_ROS_NODE_MAP_QUERIES_H
 
+#include "parallel_aspects/ask/workspace.h"
 #include "ros/monitor/map_worker.h"
 #include "ros/parameters/load_options.h"
 
 #include <parallel_aspects/GetMap.h>
+#include <parallel_aspects/GetRegularWorkspace.h>
 
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -27,6 +33,27 @@ class MapQueries {
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const AspectMap> known_;  // that the revision is of
   mutable std::string revision_;
+};
+
+/// Answers ~get_regular_workspace and draws the best. May be called from any number of threads.
+class WorkspaceQueries {
+ public:
+  /// `worker` must outlive the object.
+  WorkspaceQueries(ros::NodeHandle private_nh, const Manipulator& manipulator, const MapWorker& worker);
+
+  GetRegularWorkspace::Response answer(const GetRegularWorkspace::Request& request) const;
+
+  /// Ends what is under way, with the status CANCELLED.
+  void cancel() { cancelled_ = true; }
+
+ private:
+  Status find(const std::shared_ptr<const AspectMap>& map, const GetRegularWorkspace::Request& request,
+              GetRegularWorkspace::Response& response) const;
+
+  const TaskSpace space_;
+  const MapWorker& worker_;
+  ros::Publisher markers_;
+  std::atomic<bool> cancelled_{false};
 };
 
 }  // namespace parallel_aspects

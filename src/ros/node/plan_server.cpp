@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/plan_server.h"
 
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/messages/configurations.h"
 #include "ros/messages/conversions.h"
+#include "ros/pictures/answer_pictures.h"
 #include "ros/pictures/marker_batch.h"
-#include "ros/pictures/path_picture.h"
 #include "ros/plan/plan_question.h"
 
 #include <algorithm>

@@ -5,10 +5,10 @@
 #include "parallel_aspects/ask/plan.h"
 #include "ros/monitor/map_worker.h"
 #include "ros/monitor/robot_monitor.h"
-#include "ros/node/checked_goals.h"
+#include "ros/node/guarded_input.h"
 #include "ros/node/pose_reading.h"
 #include "ros/parameters/load_options.h"
-#include "ros/plan/path_domains.h"
+#include "ros/plan/plan_question.h"
 
 #include <parallel_aspects/PlanPathAction.h>
 

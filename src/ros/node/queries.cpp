@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/queries.h"
 
-#include "parallel_aspects/kinematics/jacobians.h"
-#include "ros/messages/roadmap_component.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "ros/messages/configurations.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "ros/node/robot_server.h"
 
 #include "ros/messages/hazard_messages.h"
-#include "ros/messages/tables.h"
+#include "ros/messages/map_messages.h"
 #include "ros/monitor/threshold_offer.h"
 #include "urdf/description/nearest_name.h"
 

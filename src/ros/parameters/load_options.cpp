@@ -2,7 +2,7 @@
 #include "ros/parameters/load_options.h"
 
 #include "ros/parameters/parameter_reader.h"
-#include "urdf/config/motion_config.h"
+#include "urdf/config/map_and_motion_config.h"
 
 #include <ros/param.h>
 #include <yaml-cpp/yaml.h>

@@ -2,8 +2,8 @@
 #include "ros/parameters/node_options.h"
 
 #include "aspects/map/map_plan.h"
-#include "model/number_text.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "model/message_text.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/constraints.h"
 
 #include <cmath>

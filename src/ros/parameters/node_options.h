@@ -6,7 +6,7 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"
-#include "parallel_aspects/tracking/thresholds.h"
+#include "parallel_aspects/tracking/hazards.h"
 #include "parallel_aspects/tracking/tracker.h"
 #include "parallel_aspects/urdf/passive_joints.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/display.h"
 
-#include "ros/labels/candidate_names.h"
-#include "ros/pictures/caption.h"
+#include "ros/labels/placed_labels.h"
 #include "ros/pictures/domain_picture.h"
 #include "ros/pictures/gauge_picture.h"
 #include "ros/pictures/map_picture.h"
 #include "ros/pictures/picture_parts.h"
+#include "ros/pictures/scene.h"
 #include "ros/pictures/slice_picture.h"
 
 #include <ros/console.h>

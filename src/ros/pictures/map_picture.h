@@ -3,20 +3,57 @@
 #define PARALLEL_ASPECTS_ROS_PICTURES_MAP_PICTURE_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/boundary_curves.h"
-#include "parallel_aspects/aspects/joint_projection.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/aspects/map_pictures.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/parameters/node_options.h"
-#include "ros/pictures/gallery_layout.h"
 #include "ros/pictures/marker_batch.h"
 #include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture.h"
 
+#include <Eigen/Geometry>
+
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace parallel_aspects {
+
+/// Where the tiles of the gallery stand: to the right of the robot one column a working mode, its workspace
+/// above and its joint space below. Everything lies in the plane of the robot.
+class GalleryLayout {
+ public:
+  /// `scale`: size of the gallery's workspaces against the robot.
+  GalleryLayout(const AspectMap& map, const JointWindow& window, double scale);
+
+  /// Frames of the two rows, in the task frame of the robot; their origins are the centers of the first tiles
+  /// [m].
+  const Eigen::Vector2d& aspects_origin() const noexcept { return aspects_origin_; }
+  const Eigen::Vector2d& joint_space_origin() const noexcept { return joint_space_origin_; }
+
+  /// A point of the workspace in the tile of a column, in the frame of the upper row [m].
+  Eigen::Vector2d in_workspace_tile(const Eigen::Vector2d& point, std::size_t column) const;
+
+  /// Joint values in the tile of a column, in the frame of the lower row [m].
+  Eigen::Vector2d in_joint_tile(const Eigen::Vector2d& q, std::size_t column) const;
+
+  Eigen::Vector2d workspace_tile_center(std::size_t column) const {
+    return {pitch_ * static_cast<double>(column), 0.0};
+  }
+  Eigen::Vector2d joint_tile_center(std::size_t column) const { return workspace_tile_center(column); }
+
+  const Eigen::Vector2d& workspace_tile_size() const noexcept { return workspace_tile_size_; }  ///< [m]
+  const Eigen::Vector2d& joint_tile_size() const noexcept { return joint_tile_size_; }          ///< [m]
+  double text_height() const noexcept { return text_height_; }                                  ///< [m]
+  const Eigen::AlignedBox2d& workspace() const noexcept { return workspace_; }  ///< encloses all aspects [m]
+
+ private:
+  double scale_, pitch_, text_height_;
+  Eigen::AlignedBox2d workspace_;
+  Eigen::Vector2d window_center_, joint_scale_;
+  Eigen::Vector2d workspace_tile_size_, joint_tile_size_;
+  Eigen::Vector2d aspects_origin_, joint_space_origin_;
+};
 
 /// The picture of one two-dimensional map: the whole workspace and joint space of every working mode. Its
 /// geometry is worked out once; what moves is cheap.

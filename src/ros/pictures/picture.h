@@ -2,8 +2,8 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_H
 
-#include "parallel_aspects/aspects/pose_slice.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/aspects/map_pictures.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/messages/conversions.h"
 
 #include <geometry_msgs/TransformStamped.h>

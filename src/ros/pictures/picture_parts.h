@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_PARTS_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/boundary_curves.h"
+#include "parallel_aspects/aspects/map_pictures.h"
 #include "ros/pictures/marker_batch.h"
 
 #include <functional>

@@ -6,9 +6,12 @@
 #include "ros/parameters/load_options.h"
 #include "ros/parameters/node_options.h"
 
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 namespace parallel_aspects {
 
@@ -82,6 +85,25 @@ Eigen::AlignedBox3d reach_box(const Manipulator& robot, const Pose& start);
 
 /// The pose that the parameters say, or the one that the mechanism was recognised in.
 Pose start_pose(const Mechanism& mechanism, const StartOptions& start);
+
+/// What rviz says about the robot, in lines that cover neither the robot nor the gallery: below a planar
+/// robot, and above any other and its gallery.
+struct Caption {
+  static constexpr std::size_t max_lines = 4;
+  static constexpr double letter_width = 0.45;  ///< on average, over the height of the text
+  static constexpr double line_pitch = 1.2;     ///< from one line to the next, over the height of the text
+
+  std::string words;         ///< with line breaks
+  Eigen::Vector3d at;        ///< middle of the text, task frame [m]
+  double text_height = 0.0;  ///< [m]
+};
+
+/// Each line of `words` is broken where it is too long; what does not fit into the lines there are ends in
+/// dots.
+Caption caption_of(const Scene& scene, const std::string& words);
+
+/// Opposite corners of what the longest caption takes, in the task frame [m].
+std::vector<Eigen::Vector3d> caption_corners(const Scene& scene);
 
 }  // namespace parallel_aspects
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/probe/probe.h"
 
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/pictures/marker_batch.h"
 #include "ros/pictures/marker_colors.h"
 #include "ros/pictures/scene.h"

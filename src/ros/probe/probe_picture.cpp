@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/probe/probe_picture.h"
 
-#include "parallel_aspects/motion/escape_direction.h"
+#include "parallel_aspects/motion/motion_guard.h"
 #include "ros/messages/conversions.h"
-#include "ros/pictures/caption.h"
 #include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture_parts.h"
+#include "ros/pictures/scene.h"
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 #include "ros/probe/probe_solver.h"
 
 #include "model/spherical_links.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "ros/messages/configurations.h"
 #include "ros/messages/not_a_number.h"
-#include "ros/messages/roadmap_component.h"
 
 #include <cmath>
 #include <utility>

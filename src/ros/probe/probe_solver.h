@@ -4,7 +4,7 @@
 
 #include "aspects/pictures/palette.h"
 #include "motion/nearest_reachable.h"
-#include "parallel_aspects/aspects/pose_slice.h"
+#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "ros/monitor/map_worker.h"

@@ -8,12 +8,9 @@
 // local motion [s], ~task_duration of the pick and place [s], ~loop (until shut down; or until tour and task
 // are over, or one local round where there are none), ~patience: no tour of a map that took longer than this,
 // as it is computed again here [s].
-#include "motion/local_motion.h"
+#include "motion/demo_rounds.h"
 #include "motion/plan/pick_and_place.h"
-#include "motion/rehearsal.h"
-#include "motion/tour.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 #include "ros/parameters/load_options.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/programs/rviz_view.h"
 
-#include "parallel_aspects/aspects/joint_projection.h"
+#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/aspects/uniqueness.h"
-#include "ros/pictures/caption.h"
 #include "ros/pictures/domain_picture.h"
-#include "ros/pictures/gallery_layout.h"
+#include "ros/pictures/map_picture.h"
 #include "ros/pictures/scene.h"
 
 #include <yaml-cpp/yaml.h>

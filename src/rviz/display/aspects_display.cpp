@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/aspects_display.h"
 
-#include "model/number_text.h"
-#include "ros/labels/candidate_names.h"
+#include "model/message_text.h"
+#include "ros/labels/placed_labels.h"
 #include "ros/messages/conversions.h"
+#include "rviz/display/picture_thread.h"
 #include "rviz/display/robot_models.h"
-#include "rviz/display/status_words.h"
 
-#include "rviz/shapes/ogre_types.h"
+#include "rviz/shapes/ogre_shapes.h"
 #include <OgreSceneNode.h>
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "ros/pictures/scene.h"
 
-#include "rviz/shapes/ogre_types.h"
+#include "rviz/shapes/ogre_shapes.h"
 #include <OgreMaterial.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>

@@ -5,7 +5,7 @@
 #include "rviz/display/surface_handle.h"
 #include "rviz/display/surface_picture.h"
 
-#include "rviz/shapes/haloed_text.h"
+#include "rviz/shapes/ogre_shapes.h"
 #include <memory>
 #include <rviz/ogre_helpers/billboard_line.h>
 #include <rviz/ogre_helpers/mesh_shape.h>

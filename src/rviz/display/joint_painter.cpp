@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/joint_painter.h"
 
-#include "model/number_text.h"
-#include "parallel_aspects/aspects/boundary_curves.h"
-#include "parallel_aspects/aspects/pose_slice.h"
+#include "model/message_text.h"
+#include "parallel_aspects/aspects/map_pictures.h"
 
 #include <Eigen/Geometry>
 

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_NEAREST_SINGULARITY_H
 
 #include "model/spherical_links.h"
-#include "parallel_aspects/aspects/boundary_curves.h"
+#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 
 #include <Eigen/Core>

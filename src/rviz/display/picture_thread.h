@@ -17,6 +17,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -103,6 +104,12 @@ class PictureThread {
   std::unique_ptr<SurfaceStore> store_;
   std::thread thread_;
 };
+
+/// What a display says of its map. `said`: what the node said of it.
+std::string words_of(const PictureThread::Result& result, const std::string& said);
+
+/// What it draws of a robot of which the aspect is not known: these, where there are candidates.
+std::string words_of_unknown(const std::set<int>& candidates, bool mode_was_known);
 
 }  // namespace parallel_aspects
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/present_points.h"
 
-#include "parallel_aspects/kinematics/inverse.h"
-#include "ros/labels/candidate_names.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "ros/labels/placed_labels.h"
 #include "ros/pictures/marker_colors.h"
 #include "ros/pictures/robot_visuals.h"
 #include "rviz/display/workspace_painter.h"
 
-#include "rviz/shapes/ogre_types.h"
+#include "rviz/shapes/ogre_shapes.h"
 
 namespace parallel_aspects {
 namespace {

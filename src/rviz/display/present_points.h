@@ -4,7 +4,7 @@
 
 #include "rviz/display/surface_picture.h"
 
-#include "rviz/shapes/haloed_text.h"
+#include "rviz/shapes/ogre_shapes.h"
 #include <cstddef>
 #include <memory>
 #include <optional>

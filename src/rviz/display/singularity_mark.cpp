@@ -2,9 +2,9 @@
 #include "rviz/display/singularity_mark.h"
 
 #include "aspects/pictures/palette.h"
-#include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/model/manipulator.h"
 
-#include "rviz/shapes/ogre_types.h"
+#include "rviz/shapes/ogre_shapes.h"
 #include <OgreEntity.h>
 
 namespace parallel_aspects {

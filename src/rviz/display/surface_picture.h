@@ -3,8 +3,7 @@
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_SURFACE_PICTURE_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "rviz/display/colored_parts.h"
-#include "rviz/display/surface_store.h"
+#include "rviz/display/painted_parts.h"
 
 #include <Eigen/Geometry>
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/workspace_painter.h"
 
-#include "parallel_aspects/aspects/boundary_curves.h"
-#include "parallel_aspects/aspects/pose_slice.h"
-#include "ros/labels/label_room.h"
+#include "parallel_aspects/aspects/map_pictures.h"
+#include "ros/labels/placed_labels.h"
 
 #include <Eigen/Geometry>
 

@@ -2,8 +2,7 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_WORKSPACE_PAINTER_H
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_WORKSPACE_PAINTER_H
 
-#include "rviz/display/aspect_paint.h"
-#include "rviz/display/surface_store.h"
+#include "rviz/display/painted_parts.h"
 
 #include <atomic>
 #include <map>

@@ -5,6 +5,7 @@
 #include <ros/service.h>
 #include <ros/service_client.h>
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -67,6 +68,20 @@ std::string BackgroundWorker::call(const std::string& name, Service& service,
   if (answer.get()) return {};
   return std::chrono::steady_clock::now() > end ? name + " does not answer." : name + " failed.";
 }
+
+/// Whether an aspect_node can be reached, asked once a second in a thread of its own. A node that was killed
+/// is still a publisher for the master and for roscpp, which goes on trying to reach it.
+class NodePing {
+ public:
+  /// `node`: its full name.
+  explicit NodePing(const std::string& node);
+
+  bool answers() const noexcept { return answers_; }
+
+ private:
+  std::atomic<bool> answers_{false};
+  BackgroundWorker worker_;  // ends first
+};
 
 }  // namespace parallel_aspects
 

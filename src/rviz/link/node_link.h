@@ -11,7 +11,7 @@
 #include <ros/publisher.h>
 #include <ros/subscriber.h>
 
-#include "rviz/link/node_ping.h"
+#include "rviz/link/background_worker.h"
 #include <cstdint>
 #include <mutex>
 #include <optional>

@@ -12,7 +12,6 @@
 #include <ros/spinner.h>
 
 #include "rviz/link/background_worker.h"
-#include "rviz/link/node_ping.h"
 #include <actionlib_msgs/GoalStatusArray.h>
 #include <dynamic_reconfigure/Config.h>
 #include <functional>

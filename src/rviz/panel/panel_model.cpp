@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/panel/panel_model.h"
 
-#include "model/number_text.h"
-#include "parallel_aspects/kinematics/working_mode.h"
-#include "ros/labels/candidate_names.h"
+#include "model/message_text.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "ros/labels/placed_labels.h"
 #include "ros/messages/conversions.h"
 #include "ros/pictures/marker_colors.h"
 

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_RVIZ_PANEL_PANEL_MODEL_H
 
 #include "model/spherical_links.h"
-#include "parallel_aspects/tracking/thresholds.h"
+#include "parallel_aspects/tracking/hazards.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectTransition.h>

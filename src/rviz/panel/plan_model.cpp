@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/panel/plan_model.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 
 #include <parallel_aspects/Status.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/panel/plan_widget.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "rviz/panel/aspect_rows.h"
-#include "rviz/panel/path_slider.h"
+#include "rviz/panel/painted_widgets.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/panel/state_widget.h"
 
-#include "model/number_text.h"
-#include "rviz/panel/distance_bar.h"
-#include "rviz/panel/tone_colors.h"
+#include "model/message_text.h"
+#include "rviz/panel/painted_widgets.h"
 
 #include <QLabel>
 #include <QPixmap>

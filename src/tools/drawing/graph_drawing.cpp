@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/gate_line.h"
+#include "tools/drawing/page_elements.h"
 #include "tools/drawing/result_charts.h"
-#include "tools/drawing/svg.h"
 #include "tools/report/report.h"
 
 #include <algorithm>

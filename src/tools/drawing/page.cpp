@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/page.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 
 #include <algorithm>
 #include <sstream>

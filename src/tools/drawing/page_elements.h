@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -73,5 +74,28 @@ std::string as_svg(const Picture& picture);
 std::string as_png(const Picture& picture, double scale);
 
 }  // namespace parallel_aspects::tools
+
+/// Parts of pictures as SVG. Lengths on the page [px].
+namespace parallel_aspects::tools::svg {
+
+constexpr double font_size = 11.0;
+
+/// A length.
+std::string number(double value);
+
+/// Text with the characters that mean something in SVG replaced.
+std::string escaped(const std::string& text);
+
+/// The start of a picture with a white ground; it ends with "</svg>\n".
+std::string start(double width, double height);
+
+/// Text whose "start", "middle" or "end" is there.
+std::string text_at(double x, double y, const std::string& anchor, const std::string& text,
+                    double size = font_size);
+
+/// Colours and what they mean, one beside the other from there on.
+std::string key(double x, double y, const std::vector<std::pair<std::string, std::string>>& entries);
+
+}  // namespace parallel_aspects::tools::svg
 
 #endif  // PARALLEL_ASPECTS_TOOLS_DRAWING_PAGE_ELEMENTS_H

@@ -3,18 +3,40 @@
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_PLOT_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/boundary_curves.h"
+#include "parallel_aspects/aspects/map_pictures.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "tools/drawing/page_elements.h"
-#include "tools/drawing/plot_plane.h"
+#include "tools/drawing/panel.h"
 
 #include <Eigen/Core>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace parallel_aspects::tools {
+
+/// A section through a map: what is held, or in SO3 the torsion [rad].
+struct PlotSection {
+  std::optional<MapSlice> slice;
+  double torsion = 0.0;
+};
+
+/// The plane of poses that is drawn.
+struct PlotPlane {
+  PoseSlice slice;
+  Eigen::AlignedBox2d bounds;
+  std::array<PanelAxis, 2> axes;
+  bool keeps_proportion = false;
+};
+
+/// That of a map of two coordinates, or of a section through one of three.
+PlotPlane plane_of(const AspectMap& map, const std::optional<PlotSection>& section);
+
+/// How many coordinates the boxes of a map have, or its orientations.
+std::size_t dimension_of(const AspectMap& map);
 
 /// A line in the workspace of one aspect, as the outline of a shape.
 struct PlotOutline {

@@ -2,9 +2,8 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_RESULT_CHARTS_H
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_RESULT_CHARTS_H
 
-#include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/basins.h"
+#include "parallel_aspects/aspects/connectivity.h"
 #include "tools/motion_report/check_table.h"
 
 #include <string>

@@ -3,13 +3,11 @@
 
 #include "aspects/pictures/singular_curves.h"
 #include "model/angles.h"
-#include "model/number_text.h"
-#include "parallel_aspects/aspects/boundary_curves.h"
-#include "parallel_aspects/aspects/joint_projection.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "model/message_text.h"
+#include "parallel_aspects/aspects/map_pictures.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "tools/drawing/page.h"
-#include "tools/drawing/plot_plane.h"
+#include "tools/drawing/plot.h"
 #include "tools/report/reports.h"
 
 #include <Eigen/Geometry>

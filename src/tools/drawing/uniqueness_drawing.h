@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_UNIQUENESS_DRAWING_H
 
 #include "parallel_aspects/aspects/uniqueness.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "tools/drawing/page_elements.h"
 
 #include <optional>

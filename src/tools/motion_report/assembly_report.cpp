@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/motion_report/assembly_report.h"
 
-#include "tools/report/bounds_report.h"
-#include "tools/report/text_table.h"
+#include "tools/report/constraints_report.h"
+#include "tools/report/report.h"
 
 #include <string>
 

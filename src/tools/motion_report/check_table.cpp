@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/motion_report/check_table.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 
 namespace parallel_aspects::tools {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "tools/motion_report/plan_report.h"
-#include "tools/report/bounds_report.h"
-#include "tools/report/text_table.h"
+#include "tools/report/constraints_report.h"
+#include "tools/report/report.h"
 
 #include <algorithm>
 #include <set>

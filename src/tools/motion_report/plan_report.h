@@ -2,14 +2,18 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_MOTION_REPORT_PLAN_REPORT_H
 #define PARALLEL_ASPECTS_TOOLS_MOTION_REPORT_PLAN_REPORT_H
 
+#include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/ask/plan.h"
-#include "parallel_aspects/aspects/aspect_graph.h"
-#include "parallel_aspects/motion/roadmap_graph.h"
+#include "parallel_aspects/aspects/connectivity.h"
+#include "parallel_aspects/motion/plan_path.h"
 #include "tools/report/report.h"
 
 #include <string>
 
 namespace parallel_aspects::tools {
+
+/// `aspects choose`: in which working modes a path or a region can be done, the best first.
+Report report_choice(const Manipulator& robot, const ask::ChooseAnswer& answer);
 
 /// `aspects graph`: gates, and the sets of aspects that they join.
 Report report_graph(const AspectMap& map, const AspectGraph& graph);

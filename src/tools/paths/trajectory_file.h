@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_PATHS_TRAJECTORY_FILE_H
 #define PARALLEL_ASPECTS_TOOLS_PATHS_TRAJECTORY_FILE_H
 
-#include "parallel_aspects/model/task_space.h"
+#include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/motion/check_trajectory.h"
 #include "tools/subcommands.h"
 
@@ -10,6 +10,11 @@
 #include <vector>
 
 namespace parallel_aspects::tools {
+
+/// The waypoints of a trajectory_msgs/JointTrajectory as rostopic prints it; of several messages the first.
+/// `file` is for messages, which are added to `problems`; the waypoints are of no meaning then.
+std::vector<JointWaypoint> waypoints_of_message(const Manipulator& manipulator, const std::string& file,
+                                                const std::string& text, Problems& problems);
 
 /// `--path FILE`, which fills `file`.
 Option path_option(std::string& file);

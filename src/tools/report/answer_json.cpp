@@ -3,7 +3,6 @@
 
 #include "tools/report/basins_report.h"
 #include "tools/report/report.h"
-#include "tools/report/slice_report.h"
 
 namespace parallel_aspects::tools {
 namespace {

@@ -7,7 +7,6 @@
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/motion/plan_path.h"
-#include "parallel_aspects/motion/time_path.h"
 
 #include <nlohmann/json.hpp>
 

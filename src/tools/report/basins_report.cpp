@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/basins_report.h"
 
+#include "tools/report/report.h"
 #include "tools/report/reports.h"
-#include "tools/report/text_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_REPORT_BASINS_REPORT_H
 #define PARALLEL_ASPECTS_TOOLS_REPORT_BASINS_REPORT_H
 
-#include "parallel_aspects/aspects/basins.h"
+#include "parallel_aspects/aspects/connectivity.h"
 #include "tools/report/report.h"
 
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model/number_text.h"
-#include "tools/report/bounds_report.h"
+#include "model/message_text.h"
+#include "tools/report/constraints_report.h"
+#include "tools/report/report.h"
 #include "tools/report/reports.h"
-#include "tools/report/text_table.h"
 #include "tools/report/uniqueness_report.h"
 
 #include <string>

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/report.h"
 
-#include "model/coefficients.h"
+#include "model/linear_algebra.h"
 #include "model/spherical_links.h"
 #include "model/task_space_traits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace parallel_aspects::tools {
 namespace {
@@ -143,6 +147,51 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
   return text;
+}
+
+TextTable::TextTable(const std::vector<std::string>& titles) {
+  rows_.emplace_back();
+  for (const std::string& title : titles) {
+    const bool right = !title.empty() && title.front() == '>';
+    right_aligned_.push_back(right);
+    rows_.front().push_back(right ? title.substr(1) : title);
+  }
+}
+
+void TextTable::add(std::vector<std::string> cells) {
+  cells.resize(right_aligned_.size());
+  rows_.push_back(std::move(cells));
+}
+
+std::string TextTable::text() const {
+  std::vector<std::size_t> widths(right_aligned_.size(), 0);
+  for (const auto& row : rows_)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  std::string result;
+  for (const auto& row : rows_) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string blanks(widths[i] - row[i].size(), ' ');
+      line += (i == 0 ? "" : "  ") + (right_aligned_[i] ? blanks + row[i] : row[i] + blanks);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    result += line + '\n';
+  }
+  return result;
+}
+
+nlohmann::json json_slice(const std::optional<MapSlice>& slice) {
+  using nlohmann::json;
+  if (!slice) return nullptr;
+  json held = json::object();
+  for (const HeldCoordinate& each : slice->held_coordinates) held[each.name] = json_number(each.value);
+  json axis = nullptr;
+  if (slice->rotation == MapSlice::Rotation::about_axis)
+    axis = {slice->axis.x(), slice->axis.y(), slice->axis.z()};
+  const bool freely = slice->rotation == MapSlice::Rotation::freely;
+  return {{"held", held},
+          {"axis", axis},
+          {"free", freely ? std::vector<std::string>{"roll", "pitch", "yaw"} : coordinate_names(*slice)}};
 }
 
 }  // namespace parallel_aspects::tools

@@ -3,12 +3,14 @@
 #define PARALLEL_ASPECTS_TOOLS_REPORT_REPORT_H
 
 #include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
-#include "urdf/description/note.h"
+#include "urdf/description/messages.h"
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -84,6 +86,26 @@ std::string to_text(const nlohmann::json& json);
 
 /// The words one after another, with `between` them.
 std::string joined(const std::vector<std::string>& words, const std::string& between);
+
+/// Columns of text, each as wide as its longest cell.
+class TextTable {
+ public:
+  /// One title a column; a title that starts with '>' (not shown) makes its column right-aligned.
+  explicit TextTable(const std::vector<std::string>& titles);
+
+  /// Adds a row with one cell a column.
+  void add(std::vector<std::string> cells);
+
+  /// Titles and rows, two blanks between columns, no blanks at the ends of lines.
+  std::string text() const;
+
+ private:
+  std::vector<bool> right_aligned_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// {"held", "axis", "free"}: what is held and what is free; null where there is no slice.
+nlohmann::json json_slice(const std::optional<MapSlice>& slice);
 
 }  // namespace parallel_aspects::tools
 

@@ -3,10 +3,8 @@
 #define PARALLEL_ASPECTS_TOOLS_REPORT_REPORTS_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/basins.h"
-#include "parallel_aspects/aspects/neighbours.h"
+#include "parallel_aspects/aspects/connectivity.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/aspects/same_aspect.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "tools/report/report.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
-#include "tools/report/bounds_report.h"
+#include "tools/report/constraints_report.h"
+#include "tools/report/report.h"
 #include "tools/report/reports.h"
-#include "tools/report/text_table.h"
 
 #include <algorithm>
 #include <vector>

@@ -2,7 +2,7 @@
 #include "tools/report/setup_report.h"
 
 #include "tools/report/reports.h"
-#include "urdf/description/command_options.h"
+#include "urdf/description/messages.h"
 
 namespace parallel_aspects::tools {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/uniqueness_json.h"
 
-#include "parallel_aspects/kinematics/working_mode.h"
-#include "tools/report/slice_report.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "tools/report/report.h"
 
 #include <cstddef>
 #include <string>

@@ -2,10 +2,9 @@
 #include "tools/report/uniqueness_report.h"
 
 #include "model/angles.h"
-#include "model/number_text.h"
-#include "tools/report/bounds_report.h"
-#include "tools/report/slice_report.h"
-#include "tools/report/text_table.h"
+#include "model/message_text.h"
+#include "tools/report/constraints_report.h"
+#include "tools/report/report.h"
 #include "tools/report/uniqueness_json.h"
 
 #include <algorithm>

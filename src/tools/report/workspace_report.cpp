@@ -2,9 +2,9 @@
 #include "tools/report/workspace_report.h"
 
 #include "tools/report/answer_json.h"
-#include "tools/report/bounds_report.h"
+#include "tools/report/constraints_report.h"
+#include "tools/report/report.h"
 #include "tools/report/reports.h"
-#include "tools/report/text_table.h"
 
 #include <string>
 

@@ -7,6 +7,9 @@
 
 namespace parallel_aspects::tools {
 
+/// `Mechanism::home` as `--pose` takes it, with as many digits as it takes to be solved by `aspects ik`.
+Report report_home(const Mechanism& mechanism);
+
 /// Where the workspace is: what the legs reach about the home pose and at seeded random poses, and where the
 /// platform turns, how far each coordinate moves alone.
 Report report_reach(const Mechanism& mechanism);

@@ -3,7 +3,7 @@
 
 #include "aspects/constraints/constraint_clearance.h"
 #include "model/task_space_traits.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <algorithm>
 #include <array>

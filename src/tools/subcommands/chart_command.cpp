@@ -2,7 +2,6 @@
 #include "parallel_aspects/model/problems.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
-#include "tools/picture_file.h"
 #include "tools/report/report.h"
 #include "tools/subcommands.h"
 #include "tools/sweep/sweep_chart.h"

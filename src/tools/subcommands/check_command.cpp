@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "model/spherical_links.h"
 #include "motion/check/check_text.h"
 #include "parallel_aspects/ask/check.h"
@@ -11,9 +11,9 @@
 #include "tools/paths/trajectory_file.h"
 #include "tools/question_options.h"
 #include "tools/report/answer_json.h"
-#include "tools/report/bounds_report.h"
+#include "tools/report/constraints_report.h"
+#include "tools/report/report.h"
 #include "tools/report/reports.h"
-#include "tools/report/text_table.h"
 #include "tools/subcommands.h"
 
 #include <cmath>

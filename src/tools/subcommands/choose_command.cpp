@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ask/choose.h"
 #include "tools/arguments.h"
-#include "tools/motion_report/choice_report.h"
+#include "tools/motion_report/plan_report.h"
 #include "tools/paths/trajectory_file.h"
 #include "tools/question_options.h"
 #include "tools/subcommands.h"

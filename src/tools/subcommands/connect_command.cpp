@@ -5,8 +5,8 @@
 #include "tools/question_options.h"
 #include "tools/report/answer_json.h"
 #include "tools/report/basins_report.h"
-#include "tools/report/bounds_report.h"
-#include "tools/report/text_table.h"
+#include "tools/report/constraints_report.h"
+#include "tools/report/report.h"
 #include "tools/subcommands.h"
 
 #include <memory>

@@ -2,7 +2,7 @@
 #include "parallel_aspects/ask/kinematics.h"
 #include "tools/question_options.h"
 #include "tools/report/answer_json.h"
-#include "tools/report/text_table.h"
+#include "tools/report/report.h"
 #include "tools/subcommands.h"
 
 #include <algorithm>

@@ -4,9 +4,9 @@
 #include "tools/map_choice.h"
 #include "tools/question_options.h"
 #include "tools/report/answer_json.h"
-#include "tools/report/text_table.h"
+#include "tools/report/report.h"
 #include "tools/subcommands.h"
-#include "urdf/description/command_options.h"
+#include "urdf/description/messages.h"
 
 #include <algorithm>
 #include <memory>

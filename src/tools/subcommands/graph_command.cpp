@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/aspect_graph.h"
-#include "parallel_aspects/motion/roadmap_graph.h"
+#include "parallel_aspects/aspects/connectivity.h"
+#include "parallel_aspects/motion/plan_path.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/drawing/result_charts.h"
 #include "tools/map_choice.h"
 #include "tools/motion_report/plan_report.h"
 #include "tools/output_file.h"
-#include "tools/picture_file.h"
 #include "tools/subcommands.h"
 
 #include <memory>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/empty_map.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/problems.h"
 #include "tools/arguments.h"
@@ -11,7 +10,6 @@
 #include "tools/map_choice.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
-#include "tools/picture_file.h"
 #include "tools/report/basins_report.h"
 #include "tools/report/reports.h"
 #include "tools/subcommands.h"

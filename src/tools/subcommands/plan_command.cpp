@@ -7,7 +7,7 @@
 #include "tools/paths/trajectory_text.h"
 #include "tools/question_options.h"
 #include "tools/report/answer_json.h"
-#include "tools/report/bounds_report.h"
+#include "tools/report/constraints_report.h"
 #include "tools/subcommands.h"
 
 #include <memory>

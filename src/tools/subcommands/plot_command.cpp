@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "parallel_aspects/model/problems.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
@@ -7,7 +7,6 @@
 #include "tools/map_choice.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
-#include "tools/picture_file.h"
 #include "tools/report/reports.h"
 #include "tools/subcommands.h"
 

@@ -9,7 +9,6 @@
 #include "tools/sweep/sweep_arguments.h"
 #include "tools/sweep/sweep_file.h"
 #include "tools/sweep/sweep_plan.h"
-#include "tools/sweep/sweep_run.h"
 
 #include <chrono>
 #include <memory>

@@ -6,11 +6,9 @@
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/drawing/uniqueness_drawing.h"
-#include "tools/held_range.h"
 #include "tools/motion_report/assembly_report.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
-#include "tools/picture_file.h"
 #include "tools/report/uniqueness_report.h"
 #include "tools/subcommands.h"
 

@@ -4,7 +4,6 @@
 #include "tools/drawing/plot.h"
 #include "tools/map_choice.h"
 #include "tools/output_file.h"
-#include "tools/picture_file.h"
 #include "tools/question_options.h"
 #include "tools/report/workspace_report.h"
 #include "tools/subcommands.h"

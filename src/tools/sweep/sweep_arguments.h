@@ -4,7 +4,7 @@
 
 #include "parallel_aspects/ask/workspace.h"
 #include "parallel_aspects/aspects/map_slice.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"
 #include "tools/sweep/sweep_file.h"

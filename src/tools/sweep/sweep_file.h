@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,14 @@ class SweepFile {
 /// with everything that keeps them from being that: parts that are missing, given twice, not finished,
 /// damaged, or of another sweep.
 std::string merged_parts(const std::vector<std::string>& files);
+
+/// Reported while rows are written: how many of this shard there are, and how many there will be.
+using SweepProgress = std::function<void(std::size_t rows, std::size_t of)>;
+
+/// Computes the rows that the file does not have, one thread a design, and adds each in its turn. Ends soon
+/// after it is cancelled, and then leaves those rows out that are not finished.
+void run_sweep(const SweepPlan& plan, const Shard& shard, unsigned threads, const MapControl& control,
+               const SweepProgress& progress, SweepFile& file);
 
 }  // namespace parallel_aspects::tools
 

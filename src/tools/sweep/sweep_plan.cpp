@@ -3,7 +3,7 @@
 
 #include "aspects/file/map_key.h"
 #include "aspects/map/proof_revision.h"
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "tools/numbers.h"
 
 #include <boost/random/sobol.hpp>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/closing/assembly.h"
 
-#include "model/coefficients.h"
 #include "model/linear_algebra.h"
+#include "urdf/closing/freedom.h"
 #include "urdf/closing/pin_directions.h"
-#include "urdf/closing/platform_freedom.h"
 
 #include <algorithm>
 #include <cmath>

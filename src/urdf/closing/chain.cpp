@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/closing/chain.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "urdf/closing/held_twists.h"
 
 #include <algorithm>

@@ -5,8 +5,7 @@
 #include "parallel_aspects/model/problems.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/description/closure.h"
-#include "urdf/description/note.h"
-#include "urdf/description/source_names.h"
+#include "urdf/description/messages.h"
 
 #include <Eigen/Core>
 

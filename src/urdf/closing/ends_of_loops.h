@@ -5,12 +5,18 @@
 #include "parallel_aspects/model/problems.h"
 #include "urdf/closing/chain.h"
 #include "urdf/description/closure.h"
+#include "urdf/description/tree.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace parallel_aspects {
+
+/// That an open tree is a serial arm, one chain on its root with any frames and fingers on it, and so has no
+/// loop; nothing of other trees.
+std::optional<std::string> serial_arm_text(const Tree& tree, const std::string& urdf_name);
 
 /// What keeps the ends of a mechanism from its loops: faults, what to write against each, and how the base,
 /// the operational point and the actuated joints are once all of that is written.

@@ -5,9 +5,31 @@
 #include "urdf/closing/assembly.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace parallel_aspects {
+
+PlatformFreedom platform_freedom(const ClosureSystem& system, const Assembly& assembly, std::size_t link,
+                                 std::size_t actuated_joints) {
+  if (assembly.motions.cols() == 0) return {};
+  const Poses poses = link_poses(system.tree(), system.base(), assembly.values);
+  const Eigen::MatrixXd twists = link_twists(system, poses, link, assembly.motions);
+  PlatformFreedom freedom{0, 0, std::numeric_limits<double>::infinity()};
+  const auto rank = [&](const Eigen::MatrixXd& rows) {
+    const Eigen::VectorXd values = singular_values(rows);
+    const Eigen::Index found =
+        std::min(static_cast<Eigen::Index>(actuated_joints), (values.array() > velocity_tolerance).count());
+    if (found > 0) freedom.conditioning = std::min(freedom.conditioning, values[found - 1]);
+    return found;
+  };
+  freedom.translations = rank(twists.bottomRows(3));
+  freedom.motions = rank(twists);
+  return freedom;
+}
+
 namespace {
 
 // The loops are closed from so many configurations, the first at zero, until enough are found.
@@ -46,6 +68,46 @@ std::size_t Freedom::of(std::size_t link) const {
     most = std::max(most, static_cast<std::size_t>(rank));
   }
   return most;
+}
+
+namespace {
+
+// A joint that moves less [rad or sizes of the robot] while the mechanism moves by the step stays still.
+constexpr double stillness = 1e-3;
+constexpr double step_length = 0.1;
+
+// Of all motions together; a step that closes its loops again and is far enough to tell.
+bool moves_in_a_step(const ClosureSystem& system, const Assembly& assembly, std::size_t joint,
+                     const std::vector<Eigen::VectorXd>& steps) {
+  const auto row = static_cast<Eigen::Index>(joint);
+  const bool prismatic = system.tree().joint_of(joint).motion == JointMotion::prismatic;
+  const double unit = prismatic ? system.size() : 1.0;
+  return std::any_of(steps.begin(), steps.end(), [&](const Eigen::VectorXd& values) {
+    return std::abs(values[row] - assembly.values[row]) > stillness * unit;
+  });
+}
+
+std::vector<Eigen::VectorXd> steps_along_motions(const ClosureSystem& system, const Assembly& assembly) {
+  const std::vector<bool> none_held(system.in_loop().size(), false);
+  std::vector<Eigen::VectorXd> steps;
+  for (Eigen::Index k = 0; k < assembly.motions.cols(); ++k) {
+    const Eigen::VectorXd values =
+        close_loops(system, assembly.values + step_length * assembly.motions.col(k), none_held);
+    const double error = system.residual(values).lpNorm<Eigen::Infinity>();
+    if (error < closing_tolerance * system.size()) steps.push_back(values);
+  }
+  return steps;
+}
+
+}  // namespace
+
+std::vector<bool> still_joints(const ClosureSystem& system, const Assembly& assembly) {
+  std::vector<bool> still = system.in_loop();
+  const std::vector<Eigen::VectorXd> steps = steps_along_motions(system, assembly);
+  if (steps.empty()) return std::vector<bool>(still.size(), false);
+  for (std::size_t joint = 0; joint < still.size(); ++joint)
+    still[joint] = still[joint] && !moves_in_a_step(system, assembly, joint, steps);
+  return still;
 }
 
 }  // namespace parallel_aspects

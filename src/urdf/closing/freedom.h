@@ -2,13 +2,35 @@
 #ifndef PARALLEL_ASPECTS_URDF_CLOSING_FREEDOM_H
 #define PARALLEL_ASPECTS_URDF_CLOSING_FREEDOM_H
 
+#include "urdf/closing/assembly.h"
 #include "urdf/description/closure.h"
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <vector>
 
 namespace parallel_aspects {
+
+/// In how many ways the platform moves, and how far it is from one less.
+struct PlatformFreedom {
+  Eigen::Index translations = 0;
+  Eigen::Index motions = 0;  ///< with rotations
+  double conditioning = 0.0;
+
+  Eigen::Index ways() const { return translations + motions; }
+
+  /// Up to two actuated joints move a point.
+  bool is_full(std::size_t actuated_joints) const {
+    const auto count = static_cast<Eigen::Index>(actuated_joints);
+    return motions == count && (count > 2 || translations == count);
+  }
+};
+
+/// Of a link in an assembly. Velocities of its origin count, and of those all with the angular ones: one task
+/// space wants the former, another the latter.
+PlatformFreedom platform_freedom(const ClosureSystem& system, const Assembly& assembly, std::size_t link,
+                                 std::size_t actuated_joints);
 
 /// In how many ways the links of closed loops move: what costs as much as one attempt to load, and rules out
 /// many.
@@ -32,6 +54,10 @@ class Freedom {
   ClosureSystem system_;
   std::vector<Sample> samples_;
 };
+
+/// The joints inside the loops that these hold still, for each joint value: as those that only take up
+/// misalignment in a planar robot. Found from where the mechanism is after a step of each of its motions.
+std::vector<bool> still_joints(const ClosureSystem& system, const Assembly& assembly);
 
 }  // namespace parallel_aspects
 

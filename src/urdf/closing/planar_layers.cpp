@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/closing/planar_layers.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "urdf/closing/assembly.h"
 
 #include <Eigen/Geometry>

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_URDF_CLOSING_PLANAR_LAYERS_H
 
 #include "urdf/description/closure.h"
-#include "urdf/description/source_names.h"
+#include "urdf/description/messages.h"
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/closing/resolved_config.h"
 
-#include "model/number_text.h"
-#include "urdf/closing/serial_arm.h"
+#include "model/message_text.h"
+#include "urdf/closing/ends_of_loops.h"
 #include "urdf/description/nearest_name.h"
 
 #include <algorithm>

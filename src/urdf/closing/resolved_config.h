@@ -6,7 +6,7 @@
 #include "urdf/closing/chain.h"
 #include "urdf/config/mechanism_config.h"
 #include "urdf/description/closure.h"
-#include "urdf/description/note.h"
+#include "urdf/description/messages.h"
 #include "urdf/description/tree.h"
 #include "urdf/dialects/closure_dialects.h"
 

@@ -2,7 +2,7 @@
 #include "urdf/config/constraints_config.h"
 
 #include "model/angles.h"
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "urdf/description/yaml_values.h"
 
 #include <yaml-cpp/yaml.h>

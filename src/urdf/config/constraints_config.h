@@ -3,8 +3,8 @@
 #define PARALLEL_ASPECTS_URDF_CONFIG_CONSTRAINTS_CONFIG_H
 
 #include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"
-#include "parallel_aspects/model/task_space.h"
 
 #include <array>
 #include <cstddef>

@@ -3,10 +3,12 @@
 #define PARALLEL_ASPECTS_URDF_CORRECTIONS_CORRECTION_H
 
 #include "urdf/closing/resolved_config.h"
-#include "urdf/description/note.h"
-#include "urdf/description/source_names.h"
+#include "urdf/description/messages.h"
 #include "urdf/description/tree.h"
 
+#include <Eigen/Core>
+
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -25,6 +27,37 @@ struct Correction {
 };
 
 using Corrections = std::vector<Correction>;
+
+/// "1 0 0", as an attribute of a URDF has it.
+std::string as_attribute(const Eigen::Vector3d& vector);
+
+/// "(1, 0, 0)", for messages.
+std::string in_brackets(const Eigen::Vector3d& vector);
+
+/// "[1, 0, 0]", as a YAML has it.
+std::string as_list(const Eigen::Vector3d& vector);
+
+/// The rpy of a rotation, as a URDF has it [rad].
+Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation);
+
+/// The inverse.
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& roll_pitch_yaw);
+
+/// Hangs what joint `joint` carries on link `parent`; the joint stays as it is in its own frames.
+void hang(Tree& tree, std::size_t joint, std::size_t parent);
+
+/// A movable joint that is to come in, its name that of the link that it brings; the axis in its frame.
+struct NewJoint {
+  std::string name;
+  JointMotion motion = JointMotion::prismatic;
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
+};
+
+/// Puts a joint between the parent of joint `joint` and that joint, and its link after it.
+void insert_before(Tree& tree, const std::string& joint, const NewJoint& added);
+
+/// Puts a joint between joint `joint` and its child, and its link before it.
+void insert_after(Tree& tree, const std::string& joint, const NewJoint& added);
 
 }  // namespace parallel_aspects
 

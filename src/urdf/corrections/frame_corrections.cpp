@@ -2,10 +2,9 @@
 #include "urdf/corrections/frame_corrections.h"
 
 #include "urdf/closing/assembly.h"
-#include "urdf/corrections/anchors.h"
-#include "urdf/corrections/correction_text.h"
-#include "urdf/corrections/tree_changes.h"
-#include "urdf/description/command_options.h"
+#include "urdf/corrections/correction.h"
+#include "urdf/corrections/legs_of_tree.h"
+#include "urdf/description/messages.h"
 
 #include <algorithm>
 #include <cstddef>

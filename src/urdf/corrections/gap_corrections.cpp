@@ -3,7 +3,7 @@
 
 #include "model/linear_algebra.h"
 #include "urdf/closing/assembly.h"
-#include "urdf/corrections/correction_text.h"
+#include "urdf/corrections/correction.h"
 
 #include <Eigen/Geometry>
 

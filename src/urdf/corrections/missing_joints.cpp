@@ -3,9 +3,8 @@
 
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/chain.h"
-#include "urdf/corrections/anchors.h"
-#include "urdf/corrections/correction_text.h"
-#include "urdf/corrections/tree_changes.h"
+#include "urdf/corrections/correction.h"
+#include "urdf/corrections/legs_of_tree.h"
 
 #include <algorithm>
 #include <cctype>

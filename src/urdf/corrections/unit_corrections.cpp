@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/corrections/unit_corrections.h"
 
-#include "model/coefficients.h"
-#include "model/number_text.h"
-#include "urdf/corrections/closure_places.h"
-#include "urdf/corrections/correction_text.h"
+#include "model/linear_algebra.h"
+#include "model/message_text.h"
+#include "urdf/corrections/closure_end_corrections.h"
+#include "urdf/corrections/correction.h"
 
 #include <Eigen/Core>
 

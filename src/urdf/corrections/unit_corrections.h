@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_URDF_CORRECTIONS_UNIT_CORRECTIONS_H
 
 #include "urdf/corrections/correction.h"
-#include "urdf/corrections/loop_joints.h"
+#include "urdf/corrections/legs_of_tree.h"
 
 namespace parallel_aspects {
 

@@ -1,17 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/culprits/closure_gaps.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "urdf/closing/planar_layers.h"
-#include "urdf/corrections/correction_text.h"
-#include "urdf/culprits/loops_through_base.h"
+#include "urdf/corrections/correction.h"
+#include "urdf/corrections/legs_of_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace parallel_aspects {
+
+bool passes_base(const Tree& tree, std::size_t base, const Closure& closure) {
+  const std::size_t body = body_of(tree, base);
+  std::array<std::optional<std::size_t>, 2> starts;
+  for (const std::size_t end : {0, 1})
+    for (std::size_t at = body_of(tree, closure.frames[end].link); at != body;) {
+      const auto joint = tree.joint_above[at];
+      if (!joint) return false;
+      starts.at(end) = joint;
+      at = body_of(tree, tree.joints[*joint].parent);
+    }
+  return starts[0] != starts[1];
+}
+
 namespace {
 
 constexpr double small_gap = 1e-4;  // of the size of the robot

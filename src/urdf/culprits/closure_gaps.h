@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+//
 // Simulators hold together what coincides while all joints are zero. Where that is not what the two links of
 // a closure are there for, a robot loads that nobody means.
 #ifndef PARALLEL_ASPECTS_URDF_CULPRITS_CLOSURE_GAPS_H
@@ -6,15 +7,19 @@
 
 #include "urdf/closing/resolved_config.h"
 #include "urdf/culprits/attempt.h"
-#include "urdf/description/note.h"
-#include "urdf/description/source_names.h"
+#include "urdf/description/closure.h"
+#include "urdf/description/messages.h"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace parallel_aspects {
+
+/// Whether the loop of a closure goes through the base, as those of parallelograms in a leg do not.
+bool passes_base(const Tree& tree, std::size_t base, const Closure& closure);
 
 /// The same closures with the origins of their ends together, and given by these, where any are apart while
 /// all joints are zero. An end is a link that is there for a closure alone: without children, and the first

@@ -5,7 +5,7 @@
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/planar_layers.h"
 #include "urdf/corrections/chain_corrections.h"
-#include "urdf/corrections/closure_places.h"
+#include "urdf/corrections/closure_end_corrections.h"
 #include "urdf/corrections/frame_corrections.h"
 #include "urdf/corrections/gap_corrections.h"
 #include "urdf/corrections/joint_corrections.h"

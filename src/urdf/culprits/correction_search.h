@@ -4,7 +4,7 @@
 
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/correction.h"
-#include "urdf/corrections/loop_joints.h"
+#include "urdf/corrections/legs_of_tree.h"
 #include "urdf/culprits/attempt.h"
 #include "urdf/culprits/closure_gaps.h"
 

@@ -2,14 +2,13 @@
 #include "urdf/culprits/culprit.h"
 
 #include "urdf/closing/assembly.h"
-#include "urdf/corrections/anchors.h"
-#include "urdf/corrections/named_ends.h"
+#include "urdf/corrections/closure_end_corrections.h"
+#include "urdf/corrections/legs_of_tree.h"
 #include "urdf/culprits/correction_search.h"
+#include "urdf/culprits/degenerate_mechanisms.h"
 #include "urdf/culprits/like_closures.h"
 #include "urdf/culprits/misfit_axes.h"
 #include "urdf/culprits/misplaced_ends.h"
-#include "urdf/culprits/single_freedom.h"
-#include "urdf/culprits/singular_everywhere.h"
 
 #include <algorithm>
 #include <utility>

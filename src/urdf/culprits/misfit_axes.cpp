@@ -2,10 +2,10 @@
 #include "urdf/culprits/misfit_axes.h"
 
 #include "model/linear_algebra.h"
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
-#include "urdf/corrections/correction_text.h"
+#include "urdf/corrections/correction.h"
 #include "urdf/corrections/listed_corrections.h"
 
 #include <Eigen/Geometry>

@@ -5,7 +5,7 @@
 #include "urdf/closing/resolved_config.h"
 #include "urdf/corrections/correction.h"
 #include "urdf/culprits/attempt.h"
-#include "urdf/description/source_names.h"
+#include "urdf/description/messages.h"
 
 #include <memory>
 #include <optional>
@@ -13,6 +13,11 @@
 #include <vector>
 
 namespace parallel_aspects {
+
+/// Closures of a robot that loads whose ends are exchanged, as their names say, or the places of their ends
+/// while all joints are zero; with the list for the YAML that has them in order.
+Notes crossed_ends_notes(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                         const SourceNames& files, const Attempt& attempt);
 
 /// Of closures that hold a link that is there for them alone beside its origin, by a place in the other link:
 /// the place where that origin is while all joints are zero.

@@ -13,6 +13,19 @@ class Node;
 
 namespace parallel_aspects {
 
+/// The only document of a YAML file; null where it is empty. Throws YAML::ParserException where the text is
+/// no YAML, holds another document, or, with each alias counted as what it stands for, says more than any
+/// robot needs: a few lines of aliases can stand for gigabytes.
+YAML::Node yaml_document(const std::string& text);
+
+}  // namespace parallel_aspects
+
+namespace YAML {
+class Node;
+}
+
+namespace parallel_aspects {
+
 /// Reads single values of a YAML file. `where` names the key for people; what is wrong becomes a message
 /// that starts with the name of the file. Each is false, with the value untouched, where there is nothing of
 /// use.

@@ -2,6 +2,7 @@
 #include "urdf/dialects/closure_dialects.h"
 
 #include "urdf/description/nearest_name.h"
+#include "urdf/description/xml_values.h"
 
 #include <algorithm>
 #include <array>
@@ -98,4 +99,92 @@ Closure closed_at_zero(const Poses& poses, const std::string& name, std::size_t 
   return {name, {in_parent, child}, type, Weld::none, Eigen::Isometry3d::Identity()};
 }
 
+namespace {
+
+using tinyxml2::XMLElement;
+
+void add_once(const std::string& name, std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+// Encoders have transmissions too, that only carry their state.
+bool only_reports(const XMLElement& joint) {
+  bool reports = false;
+  for (const auto* interface = joint.FirstChildElement("hardwareInterface"); interface != nullptr;
+       interface = interface->NextSiblingElement("hardwareInterface")) {
+    const std::string name = interface->GetText() != nullptr ? interface->GetText() : "";
+    if (name.find("JointStateInterface") == std::string::npos) return false;
+    reports = true;
+  }
+  return reports;
+}
+
+// ros2_control copies the commands of another joint to one that mimics it.
+bool mimics(const XMLElement& joint) {
+  for (const auto* parameter = joint.FirstChildElement("param"); parameter != nullptr;
+       parameter = parameter->NextSiblingElement("param"))
+    if (attribute(parameter, "name") == "mimic") return true;
+  return joint.Attribute("mimic") != nullptr && attribute(&joint, "mimic") != "false";
+}
+
+// The joints in elements of one kind that `selects` takes, in the order of the file.
+template <class Selects>
+std::vector<std::string> joints_in(const LoopSource& source, const char* kind, const Selects& selects) {
+  std::vector<std::string> joints;
+  for (const auto* element = source.robot.FirstChildElement(kind); element != nullptr;
+       element = element->NextSiblingElement(kind))
+    for (const auto* joint = element->FirstChildElement("joint"); joint != nullptr;
+         joint = joint->NextSiblingElement("joint"))
+      if (selects(*joint)) add_once(attribute(joint, "name"), joints);
+  return joints;
+}
+
+}  // namespace
+
+DescribedActuation described_actuation(const LoopSource& source) {
+  const auto commanded = joints_in(source, "ros2_control", [](const XMLElement& joint) {
+    return joint.FirstChildElement("command_interface") != nullptr && !mimics(joint);
+  });
+  if (!commanded.empty()) return {"command interface of <ros2_control>", commanded};
+  const auto transmitted =
+      joints_in(source, "transmission", [](const XMLElement& joint) { return !only_reports(joint); });
+  return {"<transmission>", transmitted};
+}
+
 }  // namespace parallel_aspects
+
+namespace parallel_aspects::dialects {
+namespace {
+
+// X of `closing_X_1` and `closing_X_A`, with what comes before it; empty for any other name.
+std::string closing_pair(const std::string& link) {
+  const std::string start = "closing_";
+  const std::size_t length = link.size() - std::min<std::size_t>(link.size(), 2);
+  const std::string end = link.substr(length);
+  const bool is_first = end == "_1" || end == "_A";
+  return is_first && length > start.size() && link.compare(0, start.size(), start) == 0
+             ? link.substr(0, length)
+             : std::string();
+}
+
+}  // namespace
+
+DescribedLoops closing_frames(const LoopSource& source, Problems& problems) {
+  DescribedLoops loops;
+  for (std::size_t link = 0; link < source.tree.links.size(); ++link) {
+    const std::string& name = source.tree.links[link];
+    const std::string pair = closing_pair(name);
+    if (pair.empty()) continue;
+    const std::string other = pair + (name.back() == '1' ? "_2" : "_B");
+    const auto found = source.tree.link_named(other);
+    if (found) {
+      loops.closures.push_back({pair, {LinkFrame{link}, LinkFrame{*found}}, ClosureType::automatic});
+    } else {
+      problems.push_back(source.files.urdf + " has the closing frame '" + name + "' but no '" + other +
+                         "'; add it, or list the closures in " + source.files.config + ".");
+    }
+  }
+  return loops;
+}
+
+}  // namespace parallel_aspects::dialects

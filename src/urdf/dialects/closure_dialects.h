@@ -4,7 +4,7 @@
 
 #include "parallel_aspects/model/problems.h"
 #include "urdf/description/closure.h"
-#include "urdf/description/source_names.h"
+#include "urdf/description/messages.h"
 #include "urdf/description/tree.h"
 
 #include <tinyxml2.h>

@@ -4,7 +4,7 @@
 #include "urdf/config/mechanism_config.h"
 #include "urdf/description/nearest_name.h"
 #include "urdf/description/xml_values.h"
-#include "urdf/reading/robot_text.h"
+#include "urdf/reading/tree_reader.h"
 
 #include <tinyxml2.h>
 

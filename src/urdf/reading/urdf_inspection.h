@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_URDF_READING_URDF_INSPECTION_H
 
 #include "parallel_aspects/model/problems.h"
-#include "urdf/description/note.h"
+#include "urdf/description/messages.h"
 
 #include <array>
 #include <map>

@@ -3,8 +3,7 @@
 
 #include "model/linear_algebra.h"
 #include "parallel_aspects/model/constraints.h"
-#include "urdf/recognition/direction_tolerance.h"
-#include "urdf/recognition/leg_rounding.h"
+#include "urdf/recognition/description_rounding.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/recognition/passive_chain.h"
 
-#include "urdf/recognition/direction_tolerance.h"
-#include "urdf/recognition/leg_rounding.h"
+#include "urdf/recognition/description_rounding.h"
 
 #include <algorithm>
 #include <array>

@@ -3,16 +3,43 @@
 #define PARALLEL_ASPECTS_URDF_RECOGNITION_PASSIVE_LIMITS_H
 
 #include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/leg.h"
 #include "urdf/closing/chain.h"
 #include "urdf/recognition/leg_recognition.h"
 #include "urdf/recognition/platform_motion.h"
 
 #include <Eigen/Core>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace parallel_aspects {
+
+/// One of the two revolute joints of a universal joint, at the assembled configuration.
+struct UniversalAxis {
+  std::string joint;     ///< its name
+  Eigen::Vector3d axis;  ///< unit vector that the rod turns about as the joint value grows
+  double value = 0.0;    ///< [rad]
+  JointLimits limits;    ///< none where it turns freely [rad]
+};
+
+/// A unit vector of which the rod's direction is no farther away than `angle` [rad].
+struct LimitedDirection {
+  std::string joint;  ///< whose limit that is
+  Eigen::Vector3d axis;
+  double angle = 0.0;
+};
+
+/// The limits of a universal joint as cones about its centre: the directions of a rod for which both joints
+/// are within their limits are those in all the cones, exactly. The first joint is fixed in what the rod is
+/// seen from, the second in the cross. Nothing where that cannot be told from the direction of the rod: the
+/// axes or the second axis and the rod are not perpendicular, the second joint can turn so far that the rod
+/// is along the first axis, or the first by more than half a turn.
+std::optional<std::vector<LimitedDirection>> limited_directions(const UniversalAxis& first,
+                                                                const UniversalAxis& second,
+                                                                const Eigen::Vector3d& rod);
 
 /// Limits of the joints of the loops that are not actuated.
 struct FoundPassiveLimits {

@@ -2,8 +2,8 @@
 #ifndef PARALLEL_ASPECTS_URDF_RECOGNITION_PLATFORM_MOTION_H
 #define PARALLEL_ASPECTS_URDF_RECOGNITION_PLATFORM_MOTION_H
 
+#include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"
-#include "parallel_aspects/model/task_space.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/chain.h"
 
@@ -11,6 +11,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace parallel_aspects {
 
@@ -32,6 +33,11 @@ struct PlatformMotion {
 std::optional<PlatformMotion> find_platform_motion(const ClosureSystem& system, const Assembly& assembly,
                                                    const ActuatedJoints& actuated_joints,
                                                    const SourceNames& files, Problems& problems);
+
+/// Why a platform turns though legs hold it by rods in pairs, as those of a Delta: the pair whose ends are
+/// farthest from a parallelogram, or that all are parallelograms which are turned against each other. Nothing
+/// where no leg has a pair of rods. `size`: of the robot [m].
+std::optional<std::string> reason_to_turn(const std::vector<LegChains>& legs, double size);
 
 }  // namespace parallel_aspects
 

@@ -4,8 +4,8 @@
 #include "urdf/closing/freedom.h"
 #include "urdf/closing/planar_layers.h"
 #include "urdf/description/name_words.h"
-#include "urdf/load_search.h"
-#include "urdf/setup/actuation_notes.h"
+#include "urdf/load_mechanism.h"
+#include "urdf/setup/actuation_candidates.h"
 #include "urdf/setup/platform_candidates.h"
 
 #include <algorithm>

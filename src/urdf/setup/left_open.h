@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_SETUP_LEFT_OPEN_H
 #define PARALLEL_ASPECTS_URDF_SETUP_LEFT_OPEN_H
 
+#include "parallel_aspects/urdf/mechanism.h"
 #include "urdf/description/tree.h"
 #include "urdf/setup/body_graph.h"
 #include "urdf/setup/setup.h"
@@ -34,6 +35,12 @@ std::vector<std::array<std::string, 2>> ends_on_root(const Tree& tree, const Bod
 SetupQuestion question_of_leg(const SetupResult& found,
                               const std::vector<std::array<std::string, 2>>& on_root,
                               const std::string& urdf_name);
+
+/// Of planar robots: joints at the end of a chain that turn without moving anything else. They may be a wrist
+/// behind the platform, whose tool is closed into a loop. A note for each, with the option that leaves it
+/// out. `closures`: "a=b".
+std::vector<std::string> wrist_notes(const Tree& tree, const Bodies& bodies, const Mechanism& mechanism,
+                                     const std::vector<std::string>& closures, const std::string& urdf_name);
 
 }  // namespace parallel_aspects
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/open_ends.h"
 
-#include "model/number_text.h"
+#include "model/message_text.h"
 #include "urdf/closing/planar_layers.h"
-#include "urdf/description/end_likeness.h"
 #include "urdf/description/name_words.h"
 #include "urdf/setup/left_open.h"
 #include "urdf/setup/shared_ends.h"

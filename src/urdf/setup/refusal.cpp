@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/refusal.h"
 
-#include "urdf/load_search.h"
+#include "urdf/load_mechanism.h"
 
 #include <cstddef>
 #include <string>

@@ -2,18 +2,16 @@
 #include "urdf/setup/setup.h"
 
 #include "urdf/closing/actuation_choices.h"
-#include "urdf/closing/serial_arm.h"
+#include "urdf/closing/ends_of_loops.h"
 #include "urdf/description/nearest_name.h"
 #include "urdf/idle_chains.h"
-#include "urdf/reading/robot_text.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/setup/closed_search.h"
 #include "urdf/setup/left_open.h"
 #include "urdf/setup/open_ends.h"
-#include "urdf/setup/placed_frames.h"
 #include "urdf/setup/refusal.h"
+#include "urdf/setup/setup_config.h"
 #include "urdf/setup/shared_ends.h"
-#include "urdf/setup/wrist_notes.h"
 
 #include <tinyxml2.h>
 #include <yaml-cpp/yaml.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/basins.h"
-
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/aspects/connectivity.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include <gtest/gtest.h>

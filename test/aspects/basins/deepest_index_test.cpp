@@ -3,7 +3,7 @@
 
 #include "aspects/map/map_contents.h"
 #include "aspects/tree/pose_space.h"
-#include "parallel_aspects/aspects/basins.h"
+#include "parallel_aspects/aspects/connectivity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/basins.h"
+#include "parallel_aspects/aspects/connectivity.h"
 
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>

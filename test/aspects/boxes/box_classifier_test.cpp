@@ -2,8 +2,7 @@
 #include "aspects/boxes/box_classifier.h"
 
 #include "interval/interval.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

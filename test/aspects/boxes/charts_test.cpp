@@ -2,7 +2,7 @@
 #include "aspects/boxes/charts.h"
 
 #include "aspects/boxes/box_classifier.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

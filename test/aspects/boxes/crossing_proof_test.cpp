@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/boxes/crossing_proof.h"
-
-#include "parallel_aspects/kinematics/inverse.h"
+#include "aspects/boxes/segment_proof.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/boxes/held_joint_classifier.h"
-#include "aspects/tree/held_joint_space.h"
+#include "aspects/boxes/held_joint_chart.h"
+
+#include "aspects/tree/slice_space.h"
 #include "interval/interval.h"
-#include "parallel_aspects/aspects/held_joint.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <gtest/gtest.h>
 

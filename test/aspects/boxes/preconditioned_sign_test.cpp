@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/boxes/preconditioned_sign.h"
-
+#include "aspects/boxes/box_forms.h"
 #include "interval/interval.h"
 
 #include <Eigen/LU>

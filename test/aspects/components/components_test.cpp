@@ -4,7 +4,7 @@
 // set.
 #include "aspects/components/components.h"
 
-#include "aspects/components/contact_search.h"
+#include "aspects/components/contacts.h"
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/tree/neighbour_leaves.h"
 

@@ -3,10 +3,9 @@
 #include "aspects/boxes/segment_proof.h"
 #include "aspects/components/climb.h"
 #include "aspects/components/disjoint_sets.h"
-#include "aspects/map/base_map.h"
+#include "aspects/map/map_computation.h"
 #include "interval/interval.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,9 @@
 #include "aspects/boxes/box_classifier.h"
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/boundary_curves.h"
-#include "parallel_aspects/aspects/constraint_boundaries.h"
+#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

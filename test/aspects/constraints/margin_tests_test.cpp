@@ -2,12 +2,10 @@
 #include "aspects/constraints/margin_tests.h"
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/same_aspect.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/singularity/indices.h"
-#include "parallel_aspects/singularity/margins.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "aspects/map/map_contents.h"
 #include "aspects/tree/pose_space.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/singularity/margins.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include <gtest/gtest.h>
 

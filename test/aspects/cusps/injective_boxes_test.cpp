@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/cusps/injective_boxes.h"
-
 #include "aspects/cusps/cusp_search.h"
 #include "aspects/cusps/planar_held_slice.h"
+#include "aspects/cusps/strut_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <gtest/gtest.h>

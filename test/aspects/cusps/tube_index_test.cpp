@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/cusps/tube_index.h"
-
+#include "aspects/cusps/cusp_trace.h"
 #include "interval/interval.h"
 
 #include <gtest/gtest.h>

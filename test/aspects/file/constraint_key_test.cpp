@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/file/constraint_key.h"
+#include "aspects/file/map_key.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #define PARALLEL_ASPECTS_TEST_ASPECTS_FILE_MAP_FILE_FIXTURE_H
 
 #include "aspects/map/map_contents.h"
-#include "model/coefficients.h"
-#include "parallel_aspects/aspects/aspect_graph.h"
-#include "parallel_aspects/aspects/map_file.h"
+#include "model/linear_algebra.h"
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/connectivity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/aspect_graph.h"
-
 #include "aspects/components/disjoint_sets.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/aspects/connectivity.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

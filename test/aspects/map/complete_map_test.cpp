@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/map_contents.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/urdf/models.h"
+#include "parallel_aspects/urdf/mechanism.h"
 
 #include <gtest/gtest.h>
 

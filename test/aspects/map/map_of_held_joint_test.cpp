@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/map_contents.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/basins.h"
-#include "parallel_aspects/aspects/held_joint.h"
-#include "parallel_aspects/aspects/map_file.h"
+#include "parallel_aspects/aspects/connectivity.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <gtest/gtest.h>
 

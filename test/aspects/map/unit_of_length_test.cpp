@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/map_contents.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/boundary_curves.h"
-#include "parallel_aspects/aspects/joint_projection.h"
+#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/aspects/pose_slice.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include "aspects/pictures/singular_curves.h"
 
 #include "model/angles.h"
-#include "parallel_aspects/aspects/pose_slice.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/aspects/map_pictures.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

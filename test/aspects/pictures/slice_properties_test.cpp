@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/map_contents.h"
-#include "parallel_aspects/aspects/map_file.h"
+#include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_slice.h"
 
 #include <gtest/gtest.h>

@@ -3,8 +3,7 @@
 #include "aspects/roadmap/pose_sampler.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/aspects/same_aspect.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,6 @@
 
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/roadmap/pose_sampler.h"
-#include "parallel_aspects/aspects/roadmap_location.h"
 
 #include <gtest/gtest.h>
 

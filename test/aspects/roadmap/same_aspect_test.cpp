@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/same_aspect.h"
-
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,8 @@
 // with maps that are computed as one.
 #include "aspects/shards/sharded_map.h"
 
-#include "aspects/shards/shard_tree.h"
-#include "aspects/tree/face_traversal.h"
+#include "aspects/shards/shard.h"
 #include "aspects/tree/neighbour_leaves.h"
-#include "aspects/tree/place_across.h"
 #include "parallel_aspects/model/problems.h"
 
 #include <gtest/gtest.h>

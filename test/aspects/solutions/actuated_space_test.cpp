@@ -3,12 +3,9 @@
 
 #include "aspects/images/strut_images.h"
 #include "aspects/solutions/solution_regions.h"
-#include "aspects/solutions/strut_equations.h"
-#include "parallel_aspects/aspects/held_joint.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "aspects/solutions/strut_solutions.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

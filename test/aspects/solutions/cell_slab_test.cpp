@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/solutions/cell_slab.h"
 
-#include "interval/rounding.h"
+#include "interval/interval.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "aspects/cusps/held_slice.h"
 #include "aspects/solutions/joint_ranges.h"
 #include "aspects/solutions/value_grid.h"
-#include "interval/rounding.h"
+#include "interval/interval.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

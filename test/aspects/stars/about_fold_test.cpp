@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/stars/about_fold.h"
-
-#include "interval/rounding.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "aspects/stars/folded_leg.h"
+#include "interval/interval.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

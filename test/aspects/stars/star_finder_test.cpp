@@ -3,10 +3,10 @@
 
 #include "aspects/stars/fold_flood.h"
 #include "aspects/tree/pose_space.h"
-#include "interval/rounding.h"
+#include "interval/interval.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/urdf/models.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/urdf/mechanism.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,7 @@
 // kinematics says that the aspect ends.
 #include "aspects/surface/aspect_surface.h"
 
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

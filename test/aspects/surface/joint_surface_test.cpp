@@ -2,7 +2,7 @@
 // Surfaces in joint space hold the joint values of what the map proves, and no others.
 #include "aspects/surface/joint_surface.h"
 
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

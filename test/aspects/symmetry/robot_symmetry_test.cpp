@@ -2,8 +2,7 @@
 #include "aspects/symmetry/robot_symmetry.h"
 
 #include "aspects/symmetry/map_symmetry.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

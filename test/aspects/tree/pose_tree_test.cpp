@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/tree/pose_tree.h"
 
-#include "aspects/tree/face_traversal.h"
 #include "aspects/tree/neighbour_leaves.h"
 
 #include <gtest/gtest.h>

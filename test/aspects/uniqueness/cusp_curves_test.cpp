@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/cusps/cusp_family.h"
 #include "aspects/cusps/cusp_trace.h"
 #include "aspects/cusps/cusp_tube.h"
 #include "aspects/uniqueness/curve_runs.h"
-#include "parallel_aspects/aspects/held_joint.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/uniqueness.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

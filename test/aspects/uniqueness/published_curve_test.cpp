@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/uniqueness.h"
-#include "parallel_aspects/kinematics/direct.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>

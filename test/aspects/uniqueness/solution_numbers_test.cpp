@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/cusps/held_slice.h"
 #include "aspects/solutions/joint_ranges.h"
-#include "aspects/solutions/slice_solver.h"
+#include "aspects/solutions/slice_equations.h"
 #include "aspects/solutions/value_grid.h"
 #include "aspects/solutions/value_strips.h"
 #include "interval/scalar_range.h"
 #include "parallel_aspects/aspects/uniqueness.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

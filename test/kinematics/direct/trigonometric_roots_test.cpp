@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kinematics/direct/trigonometric_roots.h"
+#include "kinematics/direct/circle_family.h"
 
 #include <Eigen/Core>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/check/newton_platform.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/motion/check_trajectory.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "motion/check/joint_path.h"
+#include "motion/check/fold.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_TEST_MOTION_CHOOSE_CUSP_PATHS_H
 
 #include "motion/choose/plan_around_cusp.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/choose/plan_around_cusp.h"
 
-#include "parallel_aspects/aspects/held_joint.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/tracking/tracker.h"
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 // What is proved to be clear holds no pose of the hazard: random poses are tried, by the kinematics alone.
 #include "motion/guard/clear_region.h"
 
-#include "interval/rounding.h"
-#include "parallel_aspects/model/anchor_distance.h"
+#include "interval/interval.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <gtest/gtest.h>
 

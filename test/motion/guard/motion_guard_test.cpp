@@ -3,9 +3,8 @@
 // The guard against a simulation of its model of motion, and by formulas of the test's own.
 #include "parallel_aspects/motion/motion_guard.h"
 
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/problems.h"
-#include "parallel_aspects/motion/escape_direction.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "motion/guard/stopping.h"
+#include "motion/guard/issued_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,6 @@
 
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
-#include "parallel_aspects/model/vectors.h"
 
 #include <Eigen/Dense>
 

@@ -4,9 +4,8 @@
 #include "motion/plan/leaf_path.h"
 
 #include "aspects/map/map_contents.h"
-#include "aspects/map/map_location.h"
 #include "motion/plan/map_segments.h"
-#include "parallel_aspects/aspects/held_joint.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/motion/plan_path.h"
 
 #include <gtest/gtest.h>

@@ -2,10 +2,8 @@
 //
 // Short, clear and fast paths between the same random ends.
 #include "motion/plan/path_builder.h"
-#include "motion/plan/path_choice.h"
-#include "parallel_aspects/aspects/basins.h"
+#include "parallel_aspects/aspects/connectivity.h"
 #include "parallel_aspects/motion/plan_path.h"
-#include "parallel_aspects/motion/time_path.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,8 @@
 // Paths with six degrees of freedom, through serial gates too.
 #include "motion/plan/followed_joints.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/motion/plan_path.h"
-#include "parallel_aspects/motion/time_path.h"
 
 #include <gtest/gtest.h>
 

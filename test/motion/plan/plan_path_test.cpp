@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/motion/plan_path.h"
 
-#include "parallel_aspects/aspects/held_joint.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The graph over a roadmap: its gates by formulas of the test.
-#include "parallel_aspects/motion/roadmap_graph.h"
-
 #include "motion/plan/followed_joints.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/motion/plan_path.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,7 @@
 #include "motion/plan/unresolved_text.h"
 
 #include "parallel_aspects/aspects/segment_certifier.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 //
 // A published example of another planner: the 3-RPR of Innocenti and Parenti-Castelli with its first strut
 // held at 14.98 changes its assembly mode and keeps |det A| at 20,000 or more.
-#include "parallel_aspects/aspects/held_joint.h"
-#include "parallel_aspects/motion/time_path.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/motion/plan_path.h"
 #include "parallel_aspects/tracking/tracker.h"
 
 #include <gtest/gtest.h>

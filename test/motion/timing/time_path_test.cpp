@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/motion/time_path.h"
-
 #include "motion/timing/timed_robots.h"
-#include "parallel_aspects/aspects/held_joint.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/motion/plan_path.h"
 
 #include <gtest/gtest.h>
 

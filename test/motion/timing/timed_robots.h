@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TEST_MOTION_TIMING_TIMED_ROBOTS_H
 #define PARALLEL_ASPECTS_TEST_MOTION_TIMING_TIMED_ROBOTS_H
 
-#include "parallel_aspects/motion/time_path.h"
+#include "parallel_aspects/motion/plan_path.h"
 
 #include "support/robots/robots.h"
 #include "support/slices.h"

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Each candidate has a name of its own, and no name covers another.
-#include "ros/labels/candidate_names.h"
-
-#include "parallel_aspects/kinematics/direct.h"
-#include "ros/labels/label_room.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "ros/labels/placed_labels.h"
 
 #include <gtest/gtest.h>
 

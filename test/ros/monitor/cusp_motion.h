@@ -3,9 +3,8 @@
 #define PARALLEL_ASPECTS_TEST_ROS_CUSP_MOTION_H
 
 #include "motion/choose/cusp_paths.h"
-#include "parallel_aspects/aspects/held_joint.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 #include <ros/time.h>

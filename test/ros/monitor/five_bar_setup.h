@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TEST_ROS_FIVE_BAR_SETUP_H
 #define PARALLEL_ASPECTS_TEST_ROS_FIVE_BAR_SETUP_H
 
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/urdf/mechanism.h"
 
 #include <ros/time.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // How tracking starts, and what is said where it does not.
+#include "ros/monitor/missing_state.h"
 #include "ros/monitor/robot_monitor_fixture.h"
-#include "ros/monitor/state_messages.h"
 
 #include <gtest/gtest.h>
 

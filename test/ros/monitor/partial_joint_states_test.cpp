@@ -2,9 +2,8 @@
 //
 // One publisher for each joint: how seldom their messages may come for the robot to be followed, and whether
 // it is where it is said to be.
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "ros/monitor/robot_monitor.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The start that `aspects setup` writes is a guess, and the first sample refutes it.
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "ros/monitor/robot_monitor.h"
 #include "urdf/setup/setup_texts.h"
 

@@ -4,7 +4,7 @@
 
 #include "model/linear_algebra.h"
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"
 #include "ros/monitor/robot_monitor.h"
 

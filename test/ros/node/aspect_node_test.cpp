@@ -2,7 +2,7 @@
 //
 // The running node, through its topics, services, action and tf. Tests run in the order in which they are
 // written; each waits for what it needs, up to a deadline.
-#include "motion/tour.h"
+#include "motion/demo_rounds.h"
 #include "ros/monitor/five_bar_setup.h"
 #include "ros/node/node_client.h"
 

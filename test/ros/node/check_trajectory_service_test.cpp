@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // ~check_trajectory of the running node.
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/monitor/five_bar_setup.h"
 #include "ros/node/node_client.h"
 

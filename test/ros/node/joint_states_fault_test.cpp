@@ -4,7 +4,7 @@
 // published is compared with where the robot truly was: it may say that it does not know, but never anything
 // wrong, and it finds back by itself.
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/monitor/five_bar_setup.h"
 #include "ros/node/mute_subscriber.h"
 #include "ros/node/node_client.h"

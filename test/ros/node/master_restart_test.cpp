@@ -2,7 +2,7 @@
 //
 // The ROS master ends and is started anew, knowing nothing: the node goes on, is found again by nodes that
 // ask the new master, and has lost neither its map nor the robot.
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/monitor/five_bar_setup.h"
 #include "ros/node/node_client.h"
 #include "ros/node/process.h"

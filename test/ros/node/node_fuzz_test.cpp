@@ -3,7 +3,7 @@
 // A running node under messages, requests, goals and parameters made at random. It may refuse them, with a
 // message; it must not end, not hang, and not answer wrongly. Parameters: ~seconds for each robot, ~seed.
 // The inputs before a failure are printed; the same seed makes the same ones.
-#include "model/coefficients.h"
+#include "model/linear_algebra.h"
 #include "ros/messages/conversions.h"
 #include "ros/node/node_client.h"
 #include "ros/node/process.h"

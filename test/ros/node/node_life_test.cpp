@@ -6,7 +6,7 @@
 #include "ros/node/node_life.h"
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/ComputeMapAction.h>

@@ -2,7 +2,7 @@
 //
 // A known random motion at 1 kHz; every state is compared with it. Parameters: ~robot, ~seconds, ~seed.
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/messages/conversions.h"
 #include "ros/node/node_client.h"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Uniqueness domains in the running node: the shipped 3-RPR on the way around two cusps, and around none.
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 #include "ros/monitor/cusp_motion.h"
 #include "ros/node/node_client.h"

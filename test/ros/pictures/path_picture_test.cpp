@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A planned path as a line, coloured by its index.
-#include "ros/pictures/path_picture.h"
-
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/monitor/five_bar_setup.h"
+#include "ros/pictures/answer_pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/slice_picture.h"
 
-#include "parallel_aspects/kinematics/inverse.h"
-#include "ros/pictures/caption.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/pictures/marker_colors.h"
 #include "ros/pictures/marker_groups.h"
+#include "ros/pictures/scene.h"
 
 #include <gtest/gtest.h>
 

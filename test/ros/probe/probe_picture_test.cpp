@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/probe/probe_picture.h"
 
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/messages/conversions.h"
 #include "ros/probe/probe_handle.h"
 

@@ -2,7 +2,7 @@
 #include "ros/probe/probe_solver.h"
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/programs/rviz_view.h"
 
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "ros/pictures/caption.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/pictures/robot_visuals.h"
 #include "ros/pictures/scene.h"
 

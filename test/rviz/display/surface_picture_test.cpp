@@ -3,7 +3,7 @@
 #include "rviz/display/surface_picture.h"
 
 #include "aspects/pictures/palette.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "rviz/display/picture_thread.h"
 #include "rviz/display/workspace_painter.h"
 

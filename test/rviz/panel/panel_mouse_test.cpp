@@ -2,9 +2,9 @@
 //
 // The panel beside a running node, used by mouse and keyboard on a screen in memory. What is checked are the
 // messages that go out and what the panel says.
-#include "model/number_text.h"
+#include "model/message_text.h"
+#include "rviz/panel/painted_widgets.h"
 #include "rviz/panel/panel_on_screen.h"
-#include "rviz/panel/path_slider.h"
 #include "rviz/panel/screen.h"
 
 #include <parallel_aspects/AspectState.h>

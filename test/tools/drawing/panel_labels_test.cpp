@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/drawing/panel_labels.h"
+#include "tools/drawing/panel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/report/text_table.h"
+#include "tools/report/report.h"
 
 #include <gtest/gtest.h>
 

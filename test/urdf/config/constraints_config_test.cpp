@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model/coefficients.h"
-#include "parallel_aspects/kinematics/inverse.h"
+#include "model/linear_algebra.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/problems.h"
 
 #include <gtest/gtest.h>

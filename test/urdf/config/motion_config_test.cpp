@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/config/motion_config.h"
+#include "urdf/config/map_and_motion_config.h"
 
 #include <gtest/gtest.h>
 

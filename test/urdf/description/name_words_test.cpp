@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/description/name_words.h"
 
-#include "urdf/corrections/correction_text.h"
-#include "urdf/description/command_options.h"
+#include "urdf/corrections/correction.h"
+#include "urdf/description/messages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/description/note.h"
+#include "urdf/description/messages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/recognition/universal_joint.h"
+#include "urdf/recognition/passive_limits.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

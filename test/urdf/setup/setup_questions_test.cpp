@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What setup asks where a URDF leaves something open, and what it does with answers.
-#include "urdf/description/source_names.h"
-#include "urdf/load_search.h"
+#include "urdf/description/messages.h"
+#include "urdf/load_mechanism.h"
 #include "urdf/setup/setup_texts.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_CONSTRAINTS_REPORT_H
+#define PARALLEL_ASPECTS_TOOLS_REPORT_CONSTRAINTS_REPORT_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "tools/report/report.h"
+
+namespace parallel_aspects::tools {
+
+/// What bounds the aspects of a map besides singularities, and the working modes that it leaves empty: the
+/// last lines of `aspects map`, and fields of its object. Where `verbose`, notes have every name.
+Report report_bounds(const AspectMap& map, bool verbose = false);
+
+/// Which constraints bound the aspects of a manipulator: the last lines of `aspects connect` and of roadmaps,
+/// and fields of their objects.
+Report report_constraints(const Manipulator& manipulator, bool verbose = false);
+
+/// The cones that the rods of a manipulator must stay in, those of universal joints among them: a list, and
+/// a line each, or where it is not `verbose` one for all of the same angle.
+Report report_cones(const Manipulator& manipulator, bool verbose);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_CONSTRAINTS_REPORT_H
