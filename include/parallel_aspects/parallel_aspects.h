@@ -17,7 +17,7 @@ namespace parallel_aspects {}
 #include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
-#include "parallel_aspects/ask/kinematics.h"
+#include "parallel_aspects/ask/inverse_direct.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"

@@ -76,7 +76,7 @@ LegRows<Scalar, 6> CenteredLeg::rows(const Vector<Scalar>& b, const Vector<Scala
   if (type_ == LegType::prismatic) return rows_of_slide(view);
   const Scalar& w = view.squared_distance;
   LegRows<Scalar, 6> result;
-  result.squared_entry = type_ == LegType::strut ? w : quarter_of_reach(w);
+  result.squared_b_entry = type_ == LegType::strut ? w : quarter_of_reach(w);
   for (std::size_t i = 0; i < 3; ++i) {
     result.fixed[i] = view.moment[i];
     result.fixed[3 + i] = view.d[i];
@@ -93,7 +93,7 @@ LegRows<Scalar, 6> CenteredLeg::rows_of_crank(const View<Scalar>& view) const no
   const Vector<Scalar> around = axis_cross(view.b), turned = axis_cross(view.d);
   const Scalar axial = along_axis(view.b);
   LegRows<Scalar, 6> result;
-  result.squared_entry = quarter_of_reach(w) - squared_crank_ * squared_along;
+  result.squared_b_entry = quarter_of_reach(w) - squared_crank_ * squared_along;
   for (std::size_t i = 0; i < 3; ++i) {
     result.fixed[i] = k * view.moment[i] - lift * around[i];
     result.fixed[3 + i] = k * view.d[i] + axis_[i] * lift;
@@ -109,7 +109,7 @@ LegRows<Scalar, 6> CenteredLeg::rows_of_slide(const View<Scalar>& view) const no
   const Scalar along = along_axis(view.d);
   const Vector<Scalar> around = axis_cross(view.b);
   LegRows<Scalar, 6> result;
-  result.squared_entry = squared_rod_ - (view.squared_distance - axial_share_ * square(along));
+  result.squared_b_entry = squared_rod_ - (view.squared_distance - axial_share_ * square(along));
   for (std::size_t i = 0; i < 3; ++i) {
     result.fixed[i] = view.moment[i] + along * around[i];
     result.fixed[3 + i] = view.d[i] - axis_[i] * along;

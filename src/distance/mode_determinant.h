@@ -43,8 +43,8 @@ class ModeDeterminant {
     chart_.find_rows(point, legs);
     SquareRows<PointDual<size>, size> rows;
     for (std::size_t j = 0; j < size; ++j) {
-      if (!(legs[j].squared_entry.value >= 0.0)) return std::nullopt;
-      rows[j] = row(j, legs[j], root(legs[j].squared_entry));
+      if (!(legs[j].squared_b_entry.value >= 0.0)) return std::nullopt;
+      rows[j] = row(j, legs[j], root(legs[j].squared_b_entry));
     }
     return determinant_of(rows);
   }
@@ -59,7 +59,7 @@ class ModeDeterminant {
     chart_.find_rows(point, legs);
     SquareRows<PointDual<size>, size> rows;
     for (std::size_t j = 0; j < size; ++j) {
-      squared[j] = legs[j].squared_entry;
+      squared[j] = legs[j].squared_b_entry;
       rows[j] = row(j, legs[j], held[j] ? PointDual<size>(entries[j]) : root(squared[j]));
     }
     return determinant_of(rows);
@@ -72,8 +72,8 @@ class ModeDeterminant {
     chart_.find_rows(box, legs);
     SquareRows<Interval, size> rows;
     for (std::size_t j = 0; j < size; ++j) {
-      if (!legs[j].squared_entry.positive()) return 0;
-      rows[j] = row(j, legs[j], root(legs[j].squared_entry));
+      if (!legs[j].squared_b_entry.positive()) return 0;
+      rows[j] = row(j, legs[j], root(legs[j].squared_b_entry));
     }
     const Interval value = determinant_of(rows);
     return value.positive() ? 1 : value.negative() ? -1 : 0;
@@ -87,7 +87,7 @@ class ModeDeterminant {
     std::array<LegRows<Interval, size>, size> legs;
     chart_.find_rows(box, legs);
     for (std::size_t j = 0; j < size; ++j)
-      if (!legs[j].squared_entry.positive()) return j;
+      if (!legs[j].squared_b_entry.positive()) return j;
     return std::nullopt;
   }
 
@@ -149,7 +149,7 @@ class ModeDeterminant {
     chart_.find_rows(y, legs.rows);
     result.any_unclear = false;
     for (std::size_t j = 0; j < size; ++j) {
-      const CellForm& squared = legs.rows[j].squared_entry;
+      const CellForm& squared = legs.rows[j].squared_b_entry;
       result.squared_entries[j] = linear(squared);
       const Interval range = range_in_ball(result.squared_entries[j], cell, radius);
       if (range.upper() < 0.0) return false;
@@ -183,7 +183,7 @@ class ModeDeterminant {
     rows[last] = legs.rows[last].turned;
     const CellForm g = mode_.sign(last) > 0 ? determinant_of(rows) : -determinant_of(rows);
     result.determinant = linear(f + legs.entries[last] * g);
-    result.norm = linear(square(f) - square(g) * legs.rows[last].squared_entry);
+    result.norm = linear(square(f) - square(g) * legs.rows[last].squared_b_entry);
     result.same_sense = linear(f * g);
   }
 
@@ -216,7 +216,7 @@ class ModeDeterminant {
       rows.along[j] = legs[j].turned;
       rows.rows[j] = legs[j].fixed;
       if (!branches_[j]) continue;
-      const RootInBall<Form> entry(legs[j].squared_entry);
+      const RootInBall<Form> entry(legs[j].squared_b_entry);
       rows.rows[j] = row(j, legs[j], entry.middle);
       rows.gaps[j] = entry.gap;
     }
@@ -287,10 +287,10 @@ class ModeDeterminant {
     chart_.find_rows(ball<BallForm>(radius), legs);
     SquareRows<BallForm, size> rows;
     for (std::size_t j = 0; j < size; ++j) {
-      const Interval range = legs[j].squared_entry.range();
+      const Interval range = legs[j].squared_b_entry.range();
       rows[j] = row(j, legs[j],
-                    range.positive() ? square_root(legs[j].squared_entry, range.lower())
-                                     : root_between(legs[j].squared_entry, 0.0, range.upper()));
+                    range.positive() ? square_root(legs[j].squared_b_entry, range.lower())
+                                     : root_between(legs[j].squared_b_entry, 0.0, range.upper()));
     }
     return rows;
   }

@@ -70,20 +70,22 @@ namespace {
 double square(double x) { return x * x; }
 
 // With r the crank, R the rod and n the axis: h^2 = ((r+R)^2 - |d|^2)(|d|^2 - (r-R)^2)/4 - r^2 (d.n)^2.
-double squared_entry(const RevoluteActuation& actuation, const Leg& leg, const Eigen::Vector3d& d) {
+double squared_b_entry(const RevoluteActuation& actuation, const Leg& leg, const Eigen::Vector3d& d) {
   const double w = d.squaredNorm();
   return 0.25 * (square(actuation.radius + leg.rod_length) - w) *
              (w - square(actuation.radius - leg.rod_length)) -
          square(actuation.radius * actuation.axis.dot(d));
 }
 
-double squared_entry(const PrismaticActuation& actuation, const Leg& leg, const Eigen::Vector3d& d) {
+double squared_b_entry(const PrismaticActuation& actuation, const Leg& leg, const Eigen::Vector3d& d) {
   return square(leg.rod_length) - actuation.direction.cross(d).squaredNorm();
 }
 
-double squared_entry(const StrutActuation&, const Leg&, const Eigen::Vector3d& d) { return d.squaredNorm(); }
+double squared_b_entry(const StrutActuation&, const Leg&, const Eigen::Vector3d& d) {
+  return d.squaredNorm();
+}
 
-double squared_entry(const ElbowActuation& actuation, const Leg&, const Eigen::Vector3d& d) {
+double squared_b_entry(const ElbowActuation& actuation, const Leg&, const Eigen::Vector3d& d) {
   const double w = d.squaredNorm();
   return 0.25 * (square(actuation.inner_length + actuation.outer_length) - w) *
          (w - square(actuation.inner_length - actuation.outer_length));
@@ -153,14 +155,14 @@ InverseSolution combined(const WorkingMode& mode, const Solve& solve) {
 
 double squared_inverse_entry(const Leg& leg, const Eigen::Vector3d& point) noexcept {
   const Eigen::Vector3d d = point - leg.base_point();
-  return std::visit([&](const auto& actuation) { return squared_entry(actuation, leg, d); }, leg.actuation);
+  return std::visit([&](const auto& actuation) { return squared_b_entry(actuation, leg, d); }, leg.actuation);
 }
 
 double joint_value(const Leg& leg, const Eigen::Vector3d& point, int sign) noexcept {
   const Eigen::Vector3d d = point - leg.base_point();
   return std::visit(
       [&](const auto& actuation) {
-        const double entry = sign * std::sqrt(std::max(0.0, squared_entry(actuation, leg, d)));
+        const double entry = sign * std::sqrt(std::max(0.0, squared_b_entry(actuation, leg, d)));
         const double q = value(actuation, leg, d, entry);
         return leg.actuated_by_angle() ? turned_into(leg.limits, q) : q;
       },

@@ -15,7 +15,7 @@ namespace parallel_aspects {
 /// One leg over a box: B_jj^2, and its row of A as `fixed + B_jj turned`, up to a positive factor.
 template <class Scalar, std::size_t N>
 struct LegRows {
-  Scalar squared_entry;
+  Scalar squared_b_entry;
   Row<Scalar, N> fixed, turned;
 };
 
@@ -23,7 +23,7 @@ struct LegRows {
 template <TaskSpace space, template <class> class Form, class Scalar, class Arm>
 LegRows<Scalar, traits(space).degrees_of_freedom()> leg_rows(const Form<Scalar>& form, const Arm& b) {
   LegRows<Scalar, traits(space).degrees_of_freedom()> rows;
-  rows.squared_entry = form.squared_entry;
+  rows.squared_b_entry = form.squared_b_entry;
   write_row<space>(b, form.fixed, rows.fixed);
   write_row<space>(b, form.turned, rows.turned);
   return rows;

@@ -28,10 +28,11 @@ Scalar squared_norm(const Planar<Scalar>& d) {
 }
 
 /// A leg seen from the displacement d = p - base point of its anchor. For both signs s of B_jj,
-/// |B_jj| = sqrt(squared_entry), and u = p - c has the direction of `fixed + s sqrt(squared_entry) turned`.
+/// |B_jj| = sqrt(squared_b_entry), and u = p - c has the direction of `fixed + s sqrt(squared_b_entry)
+/// turned`.
 template <class Scalar>
 struct PlanarLegForm {
-  Scalar squared_entry;
+  Scalar squared_b_entry;
   Planar<Scalar> fixed, turned;
 };
 

@@ -35,10 +35,11 @@ Scalar dot(const Spatial<Interval>& a, const Spatial<Scalar>& b) {
 }
 
 /// A leg seen from the displacement d = p - base point of its anchor. For both signs s of B_jj,
-/// |B_jj| = sqrt(squared_entry), and u = p - c has the direction of `fixed + s sqrt(squared_entry) turned`.
+/// |B_jj| = sqrt(squared_b_entry), and u = p - c has the direction of `fixed + s sqrt(squared_b_entry)
+/// turned`.
 template <class Scalar>
 struct SpatialLegForm {
-  Scalar squared_entry;
+  Scalar squared_b_entry;
   Spatial<Scalar> fixed, turned;
 };
 

@@ -3,7 +3,7 @@
 #include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
-#include "parallel_aspects/ask/kinematics.h"
+#include "parallel_aspects/ask/inverse_direct.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/workspace.h"
 #include "parallel_aspects/distance/boundary_distances.h"

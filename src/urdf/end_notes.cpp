@@ -2,8 +2,8 @@
 #include "urdf/end_notes.h"
 
 #include "model/message_text.h"
-#include "urdf/culprits/closure_gaps.h"
-#include "urdf/culprits/misplaced_ends.h"
+#include "urdf/diagnosis/closure_gaps.h"
+#include "urdf/diagnosis/misplaced_ends.h"
 
 #include <cmath>
 #include <iterator>

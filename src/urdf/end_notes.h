@@ -3,8 +3,8 @@
 #define PARALLEL_ASPECTS_URDF_END_NOTES_H
 
 #include "urdf/closing/resolved_config.h"
-#include "urdf/culprits/attempt.h"
 #include "urdf/description/messages.h"
+#include "urdf/diagnosis/attempt.h"
 #include "urdf/mechanism_contents.h"
 
 #include <functional>

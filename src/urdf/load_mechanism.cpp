@@ -8,10 +8,10 @@
 #include "urdf/closing/resolved_config.h"
 #include "urdf/config/mechanism_config.h"
 #include "urdf/corrections/unit_corrections.h"
-#include "urdf/culprits/closure_gaps.h"
-#include "urdf/culprits/culprit.h"
-#include "urdf/culprits/likely_slips.h"
 #include "urdf/description/yaml_values.h"
+#include "urdf/diagnosis/closure_gaps.h"
+#include "urdf/diagnosis/diagnosis.h"
+#include "urdf/diagnosis/likely_slips.h"
 #include "urdf/end_notes.h"
 #include "urdf/home_configuration.h"
 #include "urdf/idle_chains.h"
@@ -74,8 +74,7 @@ void check_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& r
   if (problems.empty() && wrong.found.empty()) return;
   const auto joints = std::count(loops.in_loop().begin(), loops.in_loop().end(), true);
   if (search.looks_for_remedies && !resolved.closures.empty() && joints <= max_joints_in_loops) {
-    if (const auto diagnosis = find_culprit_of_ends(tree, resolved, wrong, files, attempt))
-      refuse(*diagnosis);
+    if (const auto diagnosis = diagnosis_of_ends(tree, resolved, wrong, files, attempt)) refuse(*diagnosis);
   }
   throw InvalidDescription(problems.empty() ? wrong.problems() : problems);
 }
@@ -142,7 +141,7 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     }
   }
   if (!search.looks_for_remedies) throw InvalidDescription(problems);
-  if (const auto diagnosis = find_culprit(tree, resolved, files, attempt)) refuse(*diagnosis);
+  if (const auto diagnosis = diagnosis_of(tree, resolved, files, attempt)) refuse(*diagnosis);
   if (!meant && !are_all_welds(resolved.closures) && with_ends_together(*tree, resolved))
     problems = {
         file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +

@@ -35,7 +35,7 @@ TEST_P(EveryKindOfLeg, HasTheRowsThatItHasFromItsBasePoint) {
     const Spatial<Interval> d{b[0] + e[0], b[1] + e[1], b[2] + e[2]};
     const auto from_base = leg_rows<TaskSpace::SE3>(SpatialLeg(leg).form(d), b);
     const double size = 100.0;  // of fourth powers of a few metres
-    expect_same(rows.squared_entry, from_base.squared_entry, size);
+    expect_same(rows.squared_b_entry, from_base.squared_b_entry, size);
     for (std::size_t k = 0; k < 6; ++k) {
       expect_same(rows.fixed[k], from_base.fixed[k], size);
       expect_same(rows.turned[k], from_base.turned[k], size);

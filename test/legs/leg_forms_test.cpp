@@ -86,8 +86,8 @@ void expect_entries_and_directions() {
   for_random_legs<Form>([](test::RandomRobots&, const ClosedLeg& closed) {
     const RoundingUpward rounding;
     const auto form = Form(closed.leg).form(enclosed<Form>(closed.d));
-    ASSERT_NEAR(form.squared_entry.lower(), closed.entry * closed.entry, tolerance);
-    ASSERT_NEAR(form.squared_entry.upper(), closed.entry * closed.entry, tolerance);
+    ASSERT_NEAR(form.squared_b_entry.lower(), closed.entry * closed.entry, tolerance);
+    ASSERT_NEAR(form.squared_b_entry.upper(), closed.entry * closed.entry, tolerance);
     constexpr std::size_t dimension = planar<Form> ? 2 : 3;
     Vector3d u = closed.u;
     if (planar<Form>) u.z() = 0.0;

@@ -137,7 +137,7 @@ class BoxForms : public BoxStage<Chart, BoxForms<Chart>> {
     return sign;
   }
 
-  Interval squared_entry_at_center(std::size_t j) const { return placed_.squared_entry(j).at_center(); }
+  Interval squared_b_entry_at_center(std::size_t j) const { return placed_.squared_b_entry(j).at_center(); }
 
   /// Whether all legs but j are clear, and all constraints hold on the whole box.
   bool holds_but_for(std::size_t j, const Signs& signs) const {
@@ -177,7 +177,7 @@ class BoxForms : public BoxStage<Chart, BoxForms<Chart>> {
  private:
   static typename Entries::Values squares(const PlacedLegs<Chart, Form>& placed) {
     typename Entries::Values result;
-    for (std::size_t j = 0; j < leg_count; ++j) result[j] = placed.squared_entry(j).range();
+    for (std::size_t j = 0; j < leg_count; ++j) result[j] = placed.squared_b_entry(j).range();
     return result;
   }
 
@@ -185,7 +185,7 @@ class BoxForms : public BoxStage<Chart, BoxForms<Chart>> {
   std::array<Form, leg_count> entry_forms() const {
     std::array<Form, leg_count> result;
     for (std::size_t j = 0; j < leg_count; ++j)
-      result[j] = entries_.clear(j) ? square_root(placed_.squared_entry(j), entries_.square(j).lower())
+      result[j] = entries_.clear(j) ? square_root(placed_.squared_b_entry(j), entries_.square(j).lower())
                                     : Form(entries_.value(j));
     return result;
   }
@@ -201,9 +201,9 @@ class BoxForms : public BoxStage<Chart, BoxForms<Chart>> {
 
   bool center_is_reachable(const Signs& signs) const {
     for (std::size_t j = 0; j < leg_count; ++j) {
-      const Interval squared_entry = squared_entry_at_center(j);
-      if (!squared_entry.positive()) return false;
-      const Form entry(square_root(squared_entry));
+      const Interval squared_b_entry = squared_b_entry_at_center(j);
+      if (!squared_b_entry.positive()) return false;
+      const Form entry(square_root(squared_b_entry));
       const LimitFunctions<Form> limits = at().chart.limits(j, placed_.legs[j].displacement, entry, signs[j]);
       LimitFunctions<Interval> at_center{{}, limits.count, limits.any};
       for (std::size_t k = 0; k < limits.count; ++k) at_center.values[k] = limits.values[k].at_center();

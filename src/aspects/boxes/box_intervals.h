@@ -83,7 +83,7 @@ class BoxIntervals : public BoxStage<Chart, BoxIntervals<Chart>> {
 
   static typename Entries::Values squares(const PlacedLegs<Chart, Interval>& placed) {
     typename Entries::Values result;
-    for (std::size_t j = 0; j < leg_count; ++j) result[j] = placed.squared_entry(j);
+    for (std::size_t j = 0; j < leg_count; ++j) result[j] = placed.squared_b_entry(j);
     return result;
   }
 

@@ -53,7 +53,9 @@ class BoxSlopes {
   const ChartBox<Chart>& at() const noexcept { return forms_.at(); }
 
   /// Partial derivatives of B_jj^2.
-  Gradient squared_entry_gradient(std::size_t j) const { return ranges(placed_.squared_entry(j).gradient); }
+  Gradient squared_b_entry_gradient(std::size_t j) const {
+    return ranges(placed_.squared_b_entry(j).gradient);
+  }
 
   /// Partial derivatives of det A, where all legs are clear.
   Gradient determinant_gradient(const Signs& signs) const {
@@ -86,7 +88,7 @@ class BoxSlopes {
     Monotonicity reachable = Monotonicity::of_everything();
     for (std::size_t j = 0; j < leg_count; ++j) {
       if (entries().clear(j)) continue;
-      reachable.require(squared_entry_gradient(j));
+      reachable.require(squared_b_entry_gradient(j));
       const Interval at_boundary = determinant_without_entry(j, signs).range();
       if (!(sign > 0 ? at_boundary.positive() : at_boundary.negative())) return std::nullopt;
     }
@@ -99,7 +101,7 @@ class BoxSlopes {
   /// indices for partial derivatives at constant |B_jj|: F_i g_k - F_k g_i for each i.
   Gradient level_slopes(const Signs& signs, std::size_t j, std::size_t k) const {
     const auto slope = legs_.determinant(signs).gradient;
-    const auto& of_entry = placed_.squared_entry(j).gradient;
+    const auto& of_entry = placed_.squared_b_entry(j).gradient;
     Gradient result;
     for (std::size_t i = 0; i < coordinate_count; ++i)
       result[i] = i == k ? Interval(0.0) : (slope[i] * of_entry[k] - slope[k] * of_entry[i]).range();
@@ -128,7 +130,7 @@ class BoxSlopes {
       if (!entries().clear(j)) continue;
       const Form factor = reciprocal(Interval(2.0) * forms_.legs().entry(j), entries().value(j).lower());
       for (std::size_t i = 0; i < coordinate_count; ++i)
-        result[j].gradient[i] = factor * placed_.squared_entry(j).gradient[i];
+        result[j].gradient[i] = factor * placed_.squared_b_entry(j).gradient[i];
     }
     return result;
   }
@@ -142,7 +144,7 @@ class BoxSlopes {
   template <class Take>
   void visit_open_conditions(const Signs& signs, int sign, const Take& take) const {
     for (std::size_t j = 0; j < leg_count; ++j) {
-      if (!entries().clear(j)) take(monotone_with(placed_.squared_entry(j)));
+      if (!entries().clear(j)) take(monotone_with(placed_.squared_b_entry(j)));
       visit_open_limits(j, signs[j], take);
     }
     visit_open_margins(signs, take);
@@ -179,7 +181,7 @@ class BoxSlopes {
     if (forms_.keeps_margins(signs) == Verdict::holds) return;
     for (std::size_t j = 0; j < leg_count; ++j)
       if (margins().serial(j, entries().square(j)) != Verdict::holds)
-        take(monotone_with(placed_.squared_entry(j)));
+        take(monotone_with(placed_.squared_b_entry(j)));
     if (!margins().has_parallel() || forms_.keeps_parallel_margins(signs) == Verdict::holds) return;
     if (!entries().all_clear()) return take(Monotonicity::unknown());
     margins().for_each_parallel_function(square(legs_.determinant(signs)), legs_, signs,
@@ -256,7 +258,7 @@ class BoxSlopes {
                  weight = Interval(2.0) * forms_.legs().entry(j);
       std::array<Form, coordinate_count> term;
       for (std::size_t i = 0; i < coordinate_count; ++i) {
-        term[i] = lever * placed_.squared_entry(j).gradient[i];
+        term[i] = lever * placed_.squared_b_entry(j).gradient[i];
         if (unclear == 1) term[i] += weight * function.gradient[i];
       }
       monotonicity.require(ranges(term));

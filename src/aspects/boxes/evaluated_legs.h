@@ -34,7 +34,7 @@ struct PlacedLegs {
     }
   }
 
-  const Scalar& squared_entry(std::size_t j) const { return legs[j].rows.squared_entry; }
+  const Scalar& squared_b_entry(std::size_t j) const { return legs[j].rows.squared_b_entry; }
 };
 
 /// The same legs with their |B_jj|: rows of A, det A and where the links are, in every working mode.

@@ -48,10 +48,10 @@ class PointConditions {
   Conditions of(const Signs& signs, int sign) const {
     Conditions result;
     for (std::size_t j = 0; j < leg_count; ++j)
-      if (!(placed_.squared_entry(j).value.value > 0.0)) return result;
+      if (!(placed_.squared_b_entry(j).value.value > 0.0)) return result;
     for (std::size_t j = 0; j < leg_count; ++j) {
       result.entry_of_leg[j] = result.count;
-      result.add(condition(placed_.squared_entry(j)));
+      result.add(condition(placed_.squared_b_entry(j)));
       add_limits(at_.chart.limits(j, placed_.legs[j].displacement, legs_.entry(j), signs[j]), result);
     }
     result.add(condition(Interval(sign) * legs_.determinant(signs)));
@@ -74,7 +74,7 @@ class PointConditions {
   std::array<Slope, leg_count> entries() const {
     std::array<Slope, leg_count> result;
     for (std::size_t j = 0; j < leg_count; ++j) {
-      const Slope& square = placed_.squared_entry(j);
+      const Slope& square = placed_.squared_b_entry(j);
       if (!(square.value.value > 0.0)) continue;
       result[j] = Slope(PointNumber(std::sqrt(square.value.value)));
       for (std::size_t i = 0; i < coordinate_count; ++i)
@@ -87,7 +87,7 @@ class PointConditions {
     const auto& margins = at_.tests.margins();
     const auto add = [&result](const Slope& function) { result.add(condition(function)); };
     for (std::size_t j = 0; j < leg_count; ++j)
-      margins.for_each_serial_function(j, placed_.squared_entry(j), add);
+      margins.for_each_serial_function(j, placed_.squared_b_entry(j), add);
     if (margins.has_parallel())
       margins.for_each_parallel_function(square(legs_.determinant(signs)), legs_, signs, add);
   }

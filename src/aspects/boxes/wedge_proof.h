@@ -47,7 +47,7 @@ class WedgeProof {
     const auto leg = here_.forms().single_unclear_leg(signs_);
     if (size < 2 || !leg) return std::nullopt;
     leg_ = *leg;
-    slopes_ = here_.squared_entry_gradient(leg_);
+    slopes_ = here_.squared_b_entry_gradient(leg_);
     y_ = steepest();
     if (!has_sign(slopes_[y_])) return std::nullopt;
     const auto along = level_slopes(here_);
@@ -96,7 +96,7 @@ class WedgeProof {
   Box enclosure(std::size_t x, bool upward, double length) const {
     Box wide = box_;
     (upward ? wide.upper : wide.lower)[x] += upward ? length : -length;
-    const double at_center = middle(here_.forms().squared_entry_at_center(leg_));
+    const double at_center = middle(here_.forms().squared_b_entry_at_center(leg_));
     double most = at_center, least = at_center;
     for (std::size_t i = 0; i < size; ++i) {
       if (i == y_) continue;
@@ -141,19 +141,19 @@ class WedgeProof {
     double below = rising ? box.lower[y_] : box.upper[y_], above = rising ? box.upper[y_] : box.lower[y_];
     for (int i = 0; i < policy_.wedge_bisections; ++i) {
       pose[y_] = 0.5 * (below + above);
-      (middle(squared_entry_at(pose)) > value ? above : below) = pose[y_];
+      (middle(squared_b_entry_at(pose)) > value ? above : below) = pose[y_];
     }
     return pose[y_];
   }
 
   /// As BoxIntervals has it, of one leg alone: this is asked for many poses.
-  Interval squared_entry_at(const MapPoint& pose) const {
+  Interval squared_b_entry_at(const MapPoint& pose) const {
     const Chart& chart = here_.at().chart;
     std::array<Interval, size> at;
     for (std::size_t i = 0; i < size; ++i) at[i] = Interval(pose[i]);
     const auto placement = chart.place(here_.at().root, at);
     const auto displacement = chart.displacement(leg_, placement);
-    return chart.rows(leg_, chart.form(leg_, displacement), displacement, placement).squared_entry;
+    return chart.rows(leg_, chart.form(leg_, displacement), displacement, placement).squared_b_entry;
   }
 
   /// The poses of a box of which N may hold some.
@@ -168,11 +168,11 @@ class WedgeProof {
 
   bool encloses(const Box& wide) const {
     const bool rising = slopes_[y_].positive();
-    return squared_entry(end_of(wide, y_, !rising)).upper() <= 0.0 &&
-           squared_entry(end_of(wide, y_, rising)).lower() >= highest();
+    return squared_b_entry(end_of(wide, y_, !rising)).upper() <= 0.0 &&
+           squared_b_entry(end_of(wide, y_, rising)).lower() >= highest();
   }
 
-  Interval squared_entry(const Box& box) const {
+  Interval squared_b_entry(const Box& box) const {
     const Intervals intervals(here_.at().with(box));
     if (intervals.reachable_nowhere()) return intervals.entries().square(leg_);
     return Forms(intervals).entries().square(leg_);
@@ -184,7 +184,7 @@ class WedgeProof {
     const Forms forms(intervals);
     if (!forms.holds_but_for(leg_, signs_)) return false;
     const Slopes slopes(forms);
-    const Interval steepness = slopes.squared_entry_gradient(leg_)[y_], slope = level_slopes(slopes)[x];
+    const Interval steepness = slopes.squared_b_entry_gradient(leg_)[y_], slope = level_slopes(slopes)[x];
     return (slopes_[y_].positive() ? steepness.positive() : steepness.negative()) &&
            (upward ? slope.lower() >= 0.0 : slope.upper() <= 0.0);
   }
@@ -193,7 +193,7 @@ class WedgeProof {
   std::optional<MapPoint> pose_at(const Box& end) const {
     MapPoint pose = end.middle();
     pose[y_] = where(end, 0.5 * highest());
-    const Interval found = squared_entry_at(pose);
+    const Interval found = squared_b_entry_at(pose);
     if (!found.positive() || found.upper() > highest()) return std::nullopt;
     return pose;
   }

@@ -6,7 +6,7 @@
 #include "aspects/components/components.h"
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/components/sign_graph.h"
-#include "aspects/stars/star_finder.h"
+#include "aspects/star_sets/star_finder.h"
 #include "aspects/tree/pose_tree.h"
 #include "parallel_aspects/aspects/map_control.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/components/leaf_refinement.h"
 
-#include "aspects/batches/box_requests.h"
 #include "aspects/components/contacts.h"
+#include "aspects/simd/box_requests.h"
 #include "interval/interval.h"
 
 #include <tbb/parallel_for.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/components/sign_graph.h"
 
-#include "aspects/batches/box_requests.h"
 #include "aspects/boxes/part_proof.h"
 #include "aspects/components/climb.h"
+#include "aspects/simd/box_requests.h"
 
 #include <algorithm>
 #include <utility>

@@ -34,14 +34,14 @@ class MarginTests {
   bool has_parallel() const noexcept { return squared_index_ || squared_determinant_; }
 
   /// Whether the serial index of a leg with this B_jj^2 is at least its margin.
-  Verdict serial(std::size_t j, const Interval& squared_entry) const {
-    return least_squares_[j] ? is_positive(squared_entry - *least_squares_[j]) : Verdict::holds;
+  Verdict serial(std::size_t j, const Interval& squared_b_entry) const {
+    return least_squares_[j] ? is_positive(squared_b_entry - *least_squares_[j]) : Verdict::holds;
   }
 
   /// Calls `action` with the function of `serial`, which is positive where that holds.
   template <class Scalar, class Action>
-  void for_each_serial_function(std::size_t j, const Scalar& squared_entry, const Action& action) const {
-    if (least_squares_[j]) action(squared_entry - Scalar(*least_squares_[j]));
+  void for_each_serial_function(std::size_t j, const Scalar& squared_b_entry, const Action& action) const {
+    if (least_squares_[j]) action(squared_b_entry - Scalar(*least_squares_[j]));
   }
 
   /// Whether det A keeps its margins, where its square is in `squared_determinant`.

@@ -168,7 +168,7 @@ namespace {
 
 class CurveSearch {
  public:
-  CurveSearch(CuspFamily& family, const TraceBounds& bounds, std::size_t most_evaluations,
+  CurveSearch(SliceFamily& family, const TraceBounds& bounds, std::size_t most_evaluations,
               const MapControl& control)
       : family_(family),
         bounds_(bounds),
@@ -282,7 +282,7 @@ class CurveSearch {
   // Newton's test of a somewhat larger box also proves curves along a face.
   static constexpr double inflation = 1.2;
 
-  CuspFamily& family_;
+  SliceFamily& family_;
   TraceBounds bounds_, trace_bounds_;
   std::size_t most_evaluations_;
   const MapControl& control_;
@@ -295,7 +295,7 @@ class CurveSearch {
 
 }  // namespace
 
-CuspTraces find_cusp_traces(CuspFamily& family, const TraceBounds& bounds, std::size_t most_evaluations,
+CuspTraces find_cusp_traces(SliceFamily& family, const TraceBounds& bounds, std::size_t most_evaluations,
                             const MapControl& control) {
   assert_rounding_upward();
   return CurveSearch(family, bounds, most_evaluations, control).run();

@@ -58,7 +58,7 @@ struct CuspTraces {
 /// undecided.
 ///
 /// Needs a live `RoundingUpward`.
-CuspTraces find_cusp_traces(CuspFamily& family, const TraceBounds& bounds, std::size_t most_evaluations,
+CuspTraces find_cusp_traces(SliceFamily& family, const TraceBounds& bounds, std::size_t most_evaluations,
                             const MapControl& control);
 
 }  // namespace parallel_aspects

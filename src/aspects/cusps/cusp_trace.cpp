@@ -37,7 +37,7 @@ struct TraceStep {
 class Walk {
  public:
   /// `behind`, if any, is a point of the curve to go away from.
-  Walk(CuspFamily& family, const Box& start, const Box* behind, const TraceBounds& bounds,
+  Walk(SliceFamily& family, const Box& start, const Box* behind, const TraceBounds& bounds,
        const std::vector<Box>& ends, const MapControl& control)
       : family_(family), bounds_(bounds), ends_(ends), control_(control) {
     trace_.points.push_back(start);
@@ -140,7 +140,7 @@ class Walk {
     return TraceStep{tube, without_turns(*point), *tangent};
   }
 
-  CuspFamily& family_;
+  SliceFamily& family_;
   TraceBounds bounds_;
   const std::vector<Box>& ends_;
   const MapControl& control_;
@@ -173,7 +173,7 @@ CuspTube core_of(const CuspTrace& trace, std::size_t i) noexcept {
   return core;
 }
 
-CuspTrace trace_cusps(CuspFamily& family, const Box& start, const TraceBounds& bounds,
+CuspTrace trace_cusps(SliceFamily& family, const Box& start, const TraceBounds& bounds,
                       const std::vector<Box>& ends, const MapControl& control) {
   CuspTrace forth = Walk(family, start, nullptr, bounds, ends, control).go(1.0);
   if (forth.closed) return forth;

@@ -34,7 +34,7 @@ struct CuspTrace {
 
 /// What bounds traces, and how coordinates compare.
 struct TraceBounds {
-  double lower = 0.0, upper = 0.0;  ///< of the held coordinate of `CuspFamily`
+  double lower = 0.0, upper = 0.0;  ///< of the held coordinate of `SliceFamily`
   MapPoint weights{1.0, 1.0, 1.0};  ///< times these, coordinates are of one size
 };
 
@@ -43,7 +43,7 @@ CuspTube core_of(const CuspTrace& trace, std::size_t i) noexcept;
 
 /// Follows the curve through a point, which a box of `cusp_near` holds, both ways; up to ends of other traces
 /// that it comes to.
-CuspTrace trace_cusps(CuspFamily& family, const Box& start, const TraceBounds& bounds,
+CuspTrace trace_cusps(SliceFamily& family, const Box& start, const TraceBounds& bounds,
                       const std::vector<Box>& ends, const MapControl& control);
 
 /// Tubes by the cells of a grid that they reach into: curves may have 10^5 of them, and each box of a search

@@ -23,7 +23,7 @@ Interval held_values(const Box& box) noexcept {
   return pi_enclosure() * Interval(box.lower[2], box.upper[2]);
 }
 
-bool CuspFamily::may_hold_cusp(const Box& box) noexcept {
+bool SliceFamily::may_hold_cusp(const Box& box) noexcept {
   ++evaluations_;
   slice_.hold(held_values(box));
   const SlicePlace place = slice_.place(box);
@@ -47,27 +47,27 @@ bool CuspFamily::may_hold_cusp(const Box& box) noexcept {
   return true;
 }
 
-Verdict CuspFamily::within_limits(const Box& box) noexcept {
+Verdict SliceFamily::within_limits(const Box& box) noexcept {
   slice_.hold(held_values(box));
   return slice_.within_limits(posture_, slice_.place(box));
 }
 
-int CuspFamily::held_sign(const Box& box) noexcept {
+int SliceFamily::held_sign(const Box& box) noexcept {
   slice_.hold(held_values(box));
   return slice_.held_sign(slice_.place(box));
 }
 
-std::optional<FamilyFunctions> CuspFamily::over(const Box& box) noexcept {
+std::optional<FamilyFunctions> SliceFamily::over(const Box& box) noexcept {
   slice_.hold(held_values(box));
   return functions(slice_.place(box));
 }
 
-std::optional<FamilyFunctions> CuspFamily::at(const MapPoint& point) noexcept {
+std::optional<FamilyFunctions> SliceFamily::at(const MapPoint& point) noexcept {
   slice_.hold(pi_enclosure() * Interval(point[2]));
   return functions(SlicePlace(std::array<double, 2>{point[0], point[1]}));
 }
 
-std::optional<FamilyFunctions> CuspFamily::functions(const SlicePlace& at) noexcept {
+std::optional<FamilyFunctions> SliceFamily::functions(const SlicePlace& at) noexcept {
   ++evaluations_;
   const auto legs = legs_over(slice_, posture_, at);
   if (!legs || !are_regular(*legs)) return std::nullopt;
@@ -190,7 +190,7 @@ bool may_meet(const CuspTube& tube, const Box& box) noexcept {
   return true;
 }
 
-Zeros test_tube(CuspFamily& family, CuspTube& tube) noexcept {
+Zeros test_tube(SliceFamily& family, CuspTube& tube) noexcept {
   const auto center = family.at(middle_of(tube));
   auto over = family.over(hull_of(tube, tube.cross));
   tube.enclosed = tube.cross;
@@ -207,7 +207,7 @@ Zeros test_tube(CuspFamily& family, CuspTube& tube) noexcept {
   return over->has_gradient[center->better_equation] ? Zeros::one : Zeros::unknown;
 }
 
-std::optional<CuspTube> tube_about(CuspFamily& family, std::size_t axis, const MapPoint& at,
+std::optional<CuspTube> tube_about(SliceFamily& family, std::size_t axis, const MapPoint& at,
                                    double half) noexcept {
   CuspTube tube;
   tube.axis = axis;
@@ -237,7 +237,7 @@ std::optional<CuspTube> tube_about(CuspFamily& family, std::size_t axis, const M
   return std::nullopt;
 }
 
-std::optional<CuspTube> tube_over(CuspFamily& family, const Box& box, const MapPoint& weights) noexcept {
+std::optional<CuspTube> tube_over(SliceFamily& family, const Box& box, const MapPoint& weights) noexcept {
   const MapPoint at = box.middle();
   const auto tangent = tangent_at(family, at);
   if (!tangent) return std::nullopt;
@@ -257,7 +257,7 @@ std::optional<CuspTube> tube_over(CuspFamily& family, const Box& box, const MapP
   return tube;
 }
 
-std::optional<MapPoint> near_cusp(CuspFamily& family, std::size_t axis, MapPoint at) noexcept {
+std::optional<MapPoint> near_cusp(SliceFamily& family, std::size_t axis, MapPoint at) noexcept {
   const std::array<std::size_t, 2> others = others_of(axis);
   for (int step = 0; step < newton_steps; ++step) {
     const auto found = family.at(at);
@@ -278,7 +278,7 @@ std::optional<MapPoint> near_cusp(CuspFamily& family, std::size_t axis, MapPoint
   return at;
 }
 
-std::optional<Box> cusp_near(CuspFamily& family, std::size_t axis, const MapPoint& at) noexcept {
+std::optional<Box> cusp_near(SliceFamily& family, std::size_t axis, const MapPoint& at) noexcept {
   const auto point = near_cusp(family, axis, at);
   if (!point) return std::nullopt;
   CuspTube tube;
@@ -292,7 +292,7 @@ std::optional<Box> cusp_near(CuspFamily& family, std::size_t axis, const MapPoin
   return std::nullopt;
 }
 
-std::optional<MapPoint> tangent_at(CuspFamily& family, const MapPoint& at) noexcept {
+std::optional<MapPoint> tangent_at(SliceFamily& family, const MapPoint& at) noexcept {
   const auto found = family.at(at);
   if (!found) return std::nullopt;
   const auto rows = rows_of(*found, found->better_equation);
@@ -315,7 +315,7 @@ std::size_t steepest_axis(const MapPoint& tangent, const MapPoint& weights) noex
 }
 
 // Of F_p + F_j x_j' + F_h h' = 0, by Cramer's rule.
-int held_direction(CuspFamily& family, const CuspTube& tube) noexcept {
+int held_direction(SliceFamily& family, const CuspTube& tube) noexcept {
   if (tube.axis == 2) return 1;
   const auto over = family.over(hull_of(tube, intersection(tube.cross, tube.enclosed)));
   if (!over) return 0;

@@ -27,9 +27,9 @@ struct FamilyFunctions {
 ///
 /// The third coordinate of a box is the value that is held [m or rad] divided by pi, so that times pi every
 /// coordinate is what derivatives are taken by. All of it needs a live `RoundingUpward`.
-class CuspFamily {
+class SliceFamily {
  public:
-  CuspFamily(const PlanarHeldSlice& slice, const SlicePosture& posture) : slice_(slice), posture_(posture) {}
+  SliceFamily(const PlanarHeldSlice& slice, const SlicePosture& posture) : slice_(slice), posture_(posture) {}
 
   const SlicePosture& posture() const noexcept { return posture_; }
 
@@ -59,7 +59,7 @@ class CuspFamily {
 /// The values that are held in a box [m or rad].
 Interval held_values(const Box& box) noexcept;
 
-/// A set of points x of a `CuspFamily` along one of its coordinates, the parameter: with s = x_p - middle,
+/// A set of points x of a `SliceFamily` along one of its coordinates, the parameter: with s = x_p - middle,
 /// |s| <= half, each other coordinate is in a range of `cross` plus slope s.
 ///
 /// Where Krawczyk's test holds for every s at once (of `krawczyk_test` the drift), there is exactly one cusp
@@ -85,30 +85,30 @@ bool contains(const CuspTube& tube, const Box& box) noexcept;
 bool may_meet(const CuspTube& tube, const Box& box) noexcept;
 
 /// Krawczyk's test of a tube; on `one` its arc is enclosed, too.
-Zeros test_tube(CuspFamily& family, CuspTube& tube) noexcept;
+Zeros test_tube(SliceFamily& family, CuspTube& tube) noexcept;
 
 /// A tube along a coordinate about a point near a curve, with an arc for certain.
-std::optional<CuspTube> tube_about(CuspFamily& family, std::size_t axis, const MapPoint& at,
+std::optional<CuspTube> tube_about(SliceFamily& family, std::size_t axis, const MapPoint& at,
                                    double half) noexcept;
 
 /// A tube along a coordinate that holds this box, not tested.
-std::optional<CuspTube> tube_over(CuspFamily& family, const Box& box, const MapPoint& weights) noexcept;
+std::optional<CuspTube> tube_over(SliceFamily& family, const Box& box, const MapPoint& weights) noexcept;
 
 /// Newton's method with one coordinate fixed, in double precision.
-std::optional<MapPoint> near_cusp(CuspFamily& family, std::size_t axis, MapPoint at) noexcept;
+std::optional<MapPoint> near_cusp(SliceFamily& family, std::size_t axis, MapPoint at) noexcept;
 
 /// A tiny box that holds exactly one cusp with this value of a coordinate, near a point.
-std::optional<Box> cusp_near(CuspFamily& family, std::size_t axis, const MapPoint& at) noexcept;
+std::optional<Box> cusp_near(SliceFamily& family, std::size_t axis, const MapPoint& at) noexcept;
 
 /// Along the curve through a point, or of level sets beside it: not scaled.
-std::optional<MapPoint> tangent_at(CuspFamily& family, const MapPoint& at) noexcept;
+std::optional<MapPoint> tangent_at(SliceFamily& family, const MapPoint& at) noexcept;
 
 /// The coordinate that changes most along a tangent, each times its weight.
 std::size_t steepest_axis(const MapPoint& tangent, const MapPoint& weights) noexcept;
 
 /// How the value that is held moves along the arc while the parameter rises: 1 and -1 are proved, 0 is
 /// unknown.
-int held_direction(CuspFamily& family, const CuspTube& tube) noexcept;
+int held_direction(SliceFamily& family, const CuspTube& tube) noexcept;
 
 }  // namespace parallel_aspects
 

@@ -46,8 +46,8 @@ class SlicePlace {
 };
 
 /// |B_jj|.
-inline Interval root_of(const Interval& squared_entry) noexcept {
-  return square_root(not_negative_part(squared_entry));
+inline Interval root_of(const Interval& squared_b_entry) noexcept {
+  return square_root(not_negative_part(squared_b_entry));
 }
 
 /// A robot with three legs of any kind, the actuated joint of one of them held: the equations of both others

@@ -62,11 +62,11 @@ std::optional<HeldSlice::LegOver> PlanarHeldSlice::leg_over(std::size_t i, int s
                                                             const SlicePlace& at) const noexcept {
   const MovingLeg& moving = legs_[i];
   const Planar<Interval> d = displacement(moving, at.over());
-  const Interval squared_entry = moving.leg.form(d).squared_entry;
+  const Interval squared_b_entry = moving.leg.form(d).squared_b_entry;
   LegOver result;
-  result.reaches = is_positive(squared_entry);
-  if (squared_entry.upper() < 0.0) return result;
-  const Interval root = root_of(squared_entry);
+  result.reaches = is_positive(squared_b_entry);
+  if (squared_b_entry.upper() < 0.0) return result;
+  const Interval root = root_of(squared_b_entry);
   const auto points = moving.leg.link_points(d, root, sign);
   if (!points) return std::nullopt;
   const auto& c = points->joint;
@@ -105,7 +105,7 @@ std::optional<HeldSlice::RodOver> PlanarHeldSlice::rod_over(std::size_t i, int s
                                                             const SlicePlace& at) const noexcept {
   const PlanarLeg& leg = legs_[i].leg;
   const Planar<Interval> d = displacement(legs_[i], at.over());
-  const Interval entry = sign == 0 ? Interval(0.0) : root_of(leg.form(d).squared_entry);
+  const Interval entry = sign == 0 ? Interval(0.0) : root_of(leg.form(d).squared_b_entry);
   const auto points = leg.link_points(d, entry, sign);
   if (!points) return std::nullopt;
   return RodOver{{points->joint[0], points->joint[1], moving_leg(i).base_point().z()}, points->length};
@@ -118,7 +118,7 @@ Pose PlanarHeldSlice::pose(const std::array<double, 2>& at) const {
 Verdict PlanarHeldSlice::leg_within_limits(std::size_t i, int sign, const SlicePlace& at) const noexcept {
   const PlanarLeg& leg = legs_[i].leg;
   const Planar<Interval> d = displacement(legs_[i], at.over());
-  return verdict(leg.limits(d, root_of(leg.form(d).squared_entry), sign));
+  return verdict(leg.limits(d, root_of(leg.form(d).squared_b_entry), sign));
 }
 
 Interval PlanarHeldSlice::held_entry(const SlicePlace& at) const noexcept {

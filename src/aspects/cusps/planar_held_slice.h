@@ -40,8 +40,8 @@ class PlanarHeldSlice : public HeldSlice {
   HeldEntry held_entry_over(const SlicePlace& at) const noexcept;
 
   /// B_jj^2 of leg i, 0 or 1, of a strut a number that does not vanish.
-  Interval squared_entry(std::size_t i, const SlicePlace& at) const noexcept {
-    return legs_[i].leg.form(displacement(legs_[i], at.over())).squared_entry;
+  Interval squared_b_entry(std::size_t i, const SlicePlace& at) const noexcept {
+    return legs_[i].leg.form(displacement(legs_[i], at.over())).squared_b_entry;
   }
 
  private:

@@ -147,19 +147,19 @@ SphericalHeldSlice::Reach SphericalHeldSlice::MovingLeg::reach(const SlicePlace&
     result.center[k] = displacement[k].jet<0>(at.center()).value();
     over.value = result.range[k] = narrowed(over, result.center[k], at.middle());
   }
-  result.squared_center = leg.form(result.center).squared_entry;
-  result.squared_entry =
-      narrowed(leg.form(result.displacement).squared_entry, result.squared_center, at.middle());
+  result.squared_center = leg.form(result.center).squared_b_entry;
+  result.squared_b_entry =
+      narrowed(leg.form(result.displacement).squared_b_entry, result.squared_center, at.middle());
   return result;
 }
 
 std::optional<Spatial<Interval>> SphericalHeldSlice::MovingLeg::proximal_point(
     const Reach& reach, int sign, const SliceCenter& middle) const noexcept {
-  const Interval root = root_of(reach.squared_entry);
+  const Interval root = root_of(reach.squared_b_entry);
   const auto points = leg.link_points(reach.range, root, sign);
   if (!points) return std::nullopt;
   Spatial<Interval> c = points->joint;
-  if (!moves || !reach.squared_entry.positive()) return c;
+  if (!moves || !reach.squared_b_entry.positive()) return c;
   const auto center = leg.link_points(reach.center, root_of(reach.squared_center), sign);
   if (!center) return c;
   const Spatial<Interval> slope = joint_slope(c);
@@ -183,8 +183,8 @@ std::optional<HeldSlice::LegOver> SphericalHeldSlice::leg_over(std::size_t i, in
   const MovingLeg& moving = legs_[i];
   const Reach reach = moving.reach(at);
   LegOver result;
-  result.reaches = is_positive(reach.squared_entry);
-  if (reach.squared_entry.upper() < 0.0) return result;
+  result.reaches = is_positive(reach.squared_b_entry);
+  if (reach.squared_b_entry.upper() < 0.0) return result;
   const auto c = moving.proximal_point(reach, sign, at.middle());
   if (!c) return std::nullopt;
   result.equation = orientations_.along(opposite(*c), moving.anchor);
@@ -192,7 +192,7 @@ std::optional<HeldSlice::LegOver> SphericalHeldSlice::leg_over(std::size_t i, in
   const Spatial<Interval> slope = moving.joint_slope(*c);
   result.slope = orientations_.along(opposite(slope), moving.anchor);
   result.slope.constant += dot(*c, slope);
-  const Interval root = root_of(reach.squared_entry);
+  const Interval root = root_of(reach.squared_b_entry);
   result.entry = sign > 0 ? root : -root;
   return result;
 }
@@ -211,7 +211,7 @@ HeldSlice::LegAt SphericalHeldSlice::leg_at(std::size_t i, const Interval& q) co
 std::optional<HeldSlice::RodOver> SphericalHeldSlice::rod_over(std::size_t i, int sign,
                                                                const SlicePlace& at) const noexcept {
   const Reach reach = legs_[i].reach(at);
-  const Interval entry = sign == 0 ? Interval(0.0) : root_of(reach.squared_entry);
+  const Interval entry = sign == 0 ? Interval(0.0) : root_of(reach.squared_b_entry);
   const auto points = legs_[i].leg.link_points(reach.range, entry, sign);
   if (!points) return std::nullopt;
   return RodOver{points->joint, points->length};
@@ -219,7 +219,7 @@ std::optional<HeldSlice::RodOver> SphericalHeldSlice::rod_over(std::size_t i, in
 
 Verdict SphericalHeldSlice::leg_within_limits(std::size_t i, int sign, const SlicePlace& at) const noexcept {
   const Reach reach = legs_[i].reach(at);
-  return verdict(legs_[i].leg.limits(reach.range, root_of(reach.squared_entry), sign));
+  return verdict(legs_[i].leg.limits(reach.range, root_of(reach.squared_b_entry), sign));
 }
 
 Interval SphericalHeldSlice::held_entry(const SlicePlace& at) const noexcept {

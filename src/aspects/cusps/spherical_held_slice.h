@@ -64,9 +64,9 @@ class SphericalHeldSlice : public HeldSlice {
  private:
   /// A leg over a box, on whichever branch.
   struct Reach {
-    Spatial<Dual<2, Interval>> displacement;  // of the anchor from the base point
-    Spatial<Interval> range, center;          // of the displacement, in the box and in its middle
-    Interval squared_entry, squared_center;   // B_jj^2 there
+    Spatial<Dual<2, Interval>> displacement;   // of the anchor from the base point
+    Spatial<Interval> range, center;           // of the displacement, in the box and in its middle
+    Interval squared_b_entry, squared_center;  // B_jj^2 there
   };
 
   struct MovingLeg {

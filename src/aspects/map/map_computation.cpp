@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/map_computation.h"
 
-#include "aspects/batches/box_requests.h"
 #include "aspects/components/components.h"
 #include "aspects/components/leaf_completion.h"
 #include "aspects/components/leaf_refinement.h"
 #include "aspects/map/deepest_point.h"
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_plan.h"
-#include "aspects/stars/star_finder.h"
+#include "aspects/simd/box_requests.h"
+#include "aspects/star_sets/star_finder.h"
 #include "aspects/symmetry/map_symmetry.h"
 #include "aspects/tree/joint_progress.h"
 #include "interval/interval.h"

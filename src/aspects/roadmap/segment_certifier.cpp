@@ -257,13 +257,13 @@ class SegmentCertifier::Evaluation {
       d[i] = placement.position[i] + b[i] - PathForm(leg.base()[i]);
     }
     const SpatialLegForm<PathForm> form = leg.form(d);
-    if (form.squared_entry.center.upper() <= 0.0) found_ = {0, Violation::out_of_reach, {}, j};
-    if (reach_ == Reach::proved && !form.squared_entry.range.positive()) return false;
+    if (form.squared_b_entry.center.upper() <= 0.0) found_ = {0, Violation::out_of_reach, {}, j};
+    if (reach_ == Reach::proved && !form.squared_b_entry.range.positive()) return false;
     const PathForm entry = reach_ == Reach::assumed
-                               ? PathForm(square_root(not_negative_part(form.squared_entry.range)))
-                               : square_root(form.squared_entry);
+                               ? PathForm(square_root(not_negative_part(form.squared_b_entry.range)))
+                               : square_root(form.squared_b_entry);
     displacements_[j] = d;
-    squared_entries_[j] = form.squared_entry;
+    squared_entries_[j] = form.squared_b_entry;
     entries_[j] = entry;
     if (reach_ == Reach::proved && !is_within_limits(j, d, entry)) return false;
     Spatial<PathForm>& u = rods_[j];

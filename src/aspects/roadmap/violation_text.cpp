@@ -34,7 +34,7 @@ bool is_exactly_singular(const Leg& leg, const Pose& pose) {
   Spatial<PathForm> d;
   for (std::size_t i = 0; i < 3; ++i)
     d[i] = placement.position[i] + dot(anchor, placement.rotation[i]) - PathForm(enclosed.base()[i]);
-  const Interval entry = enclosed.form(d).squared_entry.center;
+  const Interval entry = enclosed.form(d).squared_b_entry.center;
   return entry.lower() == 0.0 && entry.upper() == 0.0;
 }
 

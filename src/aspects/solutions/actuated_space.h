@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_ACTUATED_SPACE_H
 
 #include "aspects/components/disjoint_sets.h"
-#include "aspects/images/singular_images.h"
+#include "aspects/enclosures/singular_images.h"
 #include "aspects/solutions/solution_equations.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_control.h"

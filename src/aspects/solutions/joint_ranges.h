@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_JOINT_RANGES_H
 
 #include "aspects/cusps/held_slice.h"
-#include "aspects/images/singular_images.h"
+#include "aspects/enclosures/singular_images.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"

@@ -37,7 +37,7 @@ bool same_state(const CurvePiece& a, const CurvePiece& b) noexcept {
 /// The pieces of a trace, in its order.
 class CurveDivision {
  public:
-  CurveDivision(CuspFamily& family, const Interval& range) : family_(family), range_(range) {}
+  CurveDivision(SliceFamily& family, const Interval& range) : family_(family), range_(range) {}
 
   std::vector<CurvePiece> pieces_of(const CuspTrace& trace, const MapControl& control) {
     for (std::size_t i = 0; i < trace.tubes.size() && !is_cancelled(control); ++i) {
@@ -109,7 +109,7 @@ class CurveDivision {
     return at;
   }
 
-  CuspFamily& family_;
+  SliceFamily& family_;
   Interval range_;
   std::vector<CurvePiece> pieces_;
 };
@@ -257,7 +257,7 @@ class RunAssembly {
 
 }  // namespace
 
-CurveRuns runs_of(CuspFamily& family, const CuspTrace& trace, const Interval& range,
+CurveRuns runs_of(SliceFamily& family, const CuspTrace& trace, const Interval& range,
                   const MapControl& control) {
   const auto pieces = CurveDivision(family, range).pieces_of(trace, control);
   if (is_cancelled(control)) return {};

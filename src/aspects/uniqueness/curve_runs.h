@@ -34,7 +34,7 @@ struct CurveRuns {
 
 /// Of a trace, between these held coordinates and within limits of the joints that move. Nothing when
 /// cancelled.
-CurveRuns runs_of(CuspFamily& family, const CuspTrace& trace, const Interval& range,
+CurveRuns runs_of(SliceFamily& family, const CuspTrace& trace, const Interval& range,
                   const MapControl& control = {});
 
 }  // namespace parallel_aspects

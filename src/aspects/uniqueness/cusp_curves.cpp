@@ -82,7 +82,7 @@ class CurvesOfRange {
     std::vector<CurveRun> runs;
     {
       const RoundingUpward rounding;
-      CuspFamily family(*slice_, posture);
+      SliceFamily family(*slice_, posture);
       const CuspTraces found = find_cusp_traces(family, bounds_, most_evaluations, control);
       for (const Box& box : found.undecided) add_undecided(box);
       for (const CuspTrace& trace : found.traces) add_runs(trace, family, control, runs);
@@ -90,7 +90,7 @@ class CurvesOfRange {
     for (const CurveRun& run : runs) add(run, posture);
   }
 
-  void add_runs(const CuspTrace& trace, CuspFamily& family, const MapControl& control,
+  void add_runs(const CuspTrace& trace, SliceFamily& family, const MapControl& control,
                 std::vector<CurveRun>& runs) {
     CurveRuns found = runs_of(family, trace, {bounds_.lower, bounds_.upper}, control);
     touches_.insert(touches_.end(), found.touches.begin(), found.touches.end());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/uniqueness/mode_uniqueness.h"
 
-#include "aspects/images/family_images.h"
+#include "aspects/enclosures/family_images.h"
 #include "aspects/regions/basic_regions.h"
 #include "aspects/regions/found_regions.h"
 #include "aspects/solutions/actuated_space.h"

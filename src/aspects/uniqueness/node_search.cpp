@@ -2,7 +2,7 @@
 #include "aspects/uniqueness/node_search.h"
 
 #include "aspects/cusps/strut_slice.h"
-#include "aspects/images/strut_images.h"
+#include "aspects/enclosures/strut_images.h"
 #include "aspects/zeros/krawczyk.h"
 #include "interval/scalar_range.h"
 

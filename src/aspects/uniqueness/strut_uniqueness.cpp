@@ -3,7 +3,7 @@
 
 #include "aspects/cusps/cusp_search.h"
 #include "aspects/cusps/planar_held_slice.h"
-#include "aspects/images/strut_images.h"
+#include "aspects/enclosures/strut_images.h"
 #include "aspects/regions/basic_regions.h"
 #include "aspects/regions/found_regions.h"
 #include "aspects/solutions/actuated_space.h"

@@ -3,7 +3,7 @@
 
 #include "model/message_text.h"
 #include "model/spherical_links.h"
-#include "parallel_aspects/ask/kinematics.h"
+#include "parallel_aspects/ask/inverse_direct.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"

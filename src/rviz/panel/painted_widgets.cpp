@@ -15,11 +15,11 @@ constexpr int bar_height = 8, gap = 2, mark_width = 2;  // [pixels]
 
 double known(double share) { return std::isnan(share) ? 0.0 : share; }
 
-void draw_mark(QPainter& painter, const QRectF& bar, double share, Tone tone) {
+void draw_mark(QPainter& painter, const QRectF& bar, double share, SafetyLevel safety) {
   if (!(share > 0.0)) return;
   const double x = bar.left() + share * bar.width();
   painter.fillRect(QRectF(x - mark_width / 2.0, bar.top() - gap, mark_width, bar.height() + 2 * gap),
-                   color_of(tone));
+                   color_of(safety));
 }
 
 QRectF part_of(const QRectF& bar, double from, double to) {
@@ -48,12 +48,12 @@ void DistanceBar::paintEvent(QPaintEvent*) {
   painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(gauge_.text));
   const QRectF bar(0.0, text.bottom() + 1.0 + gap, width(), bar_height);
   painter.fillRect(bar, palette().color(QPalette::Midlight));
-  const QColor color = color_of(gauge_.tone);
+  const QColor color = color_of(gauge_.safety);
   const double lower = known(gauge_.lower), upper = std::max(lower, known(gauge_.upper));
   painter.fillRect(part_of(bar, 0.0, lower), color);
   painter.fillRect(part_of(bar, lower, upper), QBrush(color, Qt::Dense6Pattern));
-  draw_mark(painter, bar, gauge_.warn, Tone::warn);
-  draw_mark(painter, bar, gauge_.stop, Tone::stop);
+  draw_mark(painter, bar, gauge_.warn, SafetyLevel::warn);
+  draw_mark(painter, bar, gauge_.stop, SafetyLevel::stop);
 }
 
 namespace {
@@ -91,7 +91,7 @@ void PathSlider::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   for (const double mark : marks_)
     painter.fillRect(x_of(mark) - slider_mark_width / 2, 0, slider_mark_width, height(),
-                     color_of(Tone::warn));
+                     color_of(SafetyLevel::warn));
   painter.end();
   QSlider::paintEvent(event);
 }

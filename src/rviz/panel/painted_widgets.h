@@ -12,15 +12,15 @@
 namespace parallel_aspects {
 
 /// Colours that people with any colour vision tell apart (after Paul Tol's "high contrast" scheme).
-inline QColor color_of(Tone tone) {
-  switch (tone) {
-    case Tone::clear:
+inline QColor color_of(SafetyLevel safety) {
+  switch (safety) {
+    case SafetyLevel::clear:
       return QColor(0x00, 0x44, 0x88);
-    case Tone::warn:
+    case SafetyLevel::warn:
       return QColor(0xDD, 0xAA, 0x33);
-    case Tone::stop:
+    case SafetyLevel::stop:
       return QColor(0xBB, 0x55, 0x66);
-    case Tone::unknown:
+    case SafetyLevel::unknown:
       break;
   }
   return QColor(0x77, 0x77, 0x77);

@@ -55,16 +55,16 @@ std::string waits_for(const NodeView& view) {
   return {};
 }
 
-Tone tone_of(std::uint8_t level) {
+SafetyLevel safety_of(std::uint8_t level) {
   switch (level) {
     case AspectState::CLEAR:
-      return Tone::clear;
+      return SafetyLevel::clear;
     case AspectState::WARN:
-      return Tone::warn;
+      return SafetyLevel::warn;
     case AspectState::STOP:
-      return Tone::stop;
+      return SafetyLevel::stop;
     default:
-      return Tone::unknown;
+      return SafetyLevel::unknown;
   }
 }
 
@@ -89,7 +89,7 @@ std::string place_of(const AspectState& state) {
 }
 
 Banner banner_of_followed(const AspectState& state) {
-  Banner banner{tone_of(state.level), title_of_level(state.level), place_of(state)};
+  Banner banner{safety_of(state.level), title_of_level(state.level), place_of(state)};
   for (const std::string& more : {state.reason, state.status.message})
     if (!more.empty()) banner.text += "\n" + more;
   return banner;
@@ -114,7 +114,7 @@ std::string text_of(const UniquenessState& domains) {
 }
 
 DomainLine line_of_regions(const UniquenessState& domains) {
-  return {domains.warns ? Tone::warn : Tone::clear, text_of(domains),
+  return {domains.warns ? SafetyLevel::warn : SafetyLevel::clear, text_of(domains),
           "Uniqueness domains that hold it: " + std::to_string(domains.domains.size()) +
               ". While one also holds the basic region where tracking began, the actuated joints alone tell "
               "the pose."};
@@ -185,12 +185,13 @@ std::string tip_of(const DistanceBounds& bounds, const LevelThresholds& threshol
   return tip;
 }
 
-Tone tone_of(const DistanceBounds& bounds, const LevelThresholds& thresholds) {
-  if (std::isnan(bounds.lower)) return Tone::unknown;
-  if (!is_set(thresholds) && std::isfinite(bounds.lower)) return Tone::unknown;  // nothing says what is near
-  if (bounds.lower <= thresholds.stop && thresholds.stop > 0.0) return Tone::stop;
-  if (bounds.lower <= thresholds.warn && thresholds.warn > 0.0) return Tone::warn;
-  return Tone::clear;
+SafetyLevel safety_of(const DistanceBounds& bounds, const LevelThresholds& thresholds) {
+  if (std::isnan(bounds.lower)) return SafetyLevel::unknown;
+  if (!is_set(thresholds) && std::isfinite(bounds.lower))
+    return SafetyLevel::unknown;  // nothing says what is near
+  if (bounds.lower <= thresholds.stop && thresholds.stop > 0.0) return SafetyLevel::stop;
+  if (bounds.lower <= thresholds.warn && thresholds.warn > 0.0) return SafetyLevel::warn;
+  return SafetyLevel::clear;
 }
 
 double share_of(double value, double scale) {
@@ -211,7 +212,7 @@ DistanceGauge gauge_of(const NodeView& view, Hazard hazard, double scale) {
     bounds = told_bounds(bounds_of(*view.state, hazard), view.unit);
   DistanceGauge gauge;
   gauge.name = title_of(hazard);
-  gauge.tone = tone_of(bounds, thresholds);
+  gauge.safety = safety_of(bounds, thresholds);
   const DistanceBounds drawn = drawn_bounds(bounds);
   gauge.lower = share_of(drawn.lower, scale);
   gauge.upper = share_of(drawn.upper, scale);
@@ -272,16 +273,16 @@ std::string pose_of(const geometry_msgs::Pose& pose, DistanceUnit unit) {
 
 Banner banner_of(const NodeView& view) {
   const std::string waiting = waits_for(view);
-  if (!waiting.empty()) return {Tone::unknown, "WAITING", waiting};
+  if (!waiting.empty()) return {SafetyLevel::unknown, "WAITING", waiting};
   const AspectState& state = *view.state;
   if (state.status.code != Status::OK) {
-    Banner banner{Tone::unknown, title_of(state.status.code), state.status.message};
+    Banner banner{SafetyLevel::unknown, title_of(state.status.code), state.status.message};
     if (!state.last_hazard.kind) return banner;
     banner.text += "\nLast proved: " + view.unit.text(state.last_hazard.lower, digits) + " from the hazard.";
     return banner;
   }
   if (view.silence > too_silent)
-    return {Tone::unknown, "SILENT",
+    return {SafetyLevel::unknown, "SILENT",
             view.node + " has said nothing for " + number_text(std::floor(view.silence), 6) +
                 " s. Last: " + place_of(state)};
   return banner_of_followed(state);
@@ -292,14 +293,14 @@ DomainLine domain_line_of(const NodeView& view) {
   const UniquenessState& domains = view.state->uniqueness;
   switch (domains.known) {
     case UniquenessState::WAITING:
-      return {Tone::unknown, "Uniqueness domains are being computed", "They come after the map."};
+      return {SafetyLevel::unknown, "Uniqueness domains are being computed", "They come after the map."};
     case UniquenessState::ASPECTS:
-      return {Tone::clear, "Each aspect is a uniqueness domain",
+      return {SafetyLevel::clear, "Each aspect is a uniqueness domain",
               "In it the actuated joints tell the pose, by a theorem."};
     case UniquenessState::REGIONS:
       if (view.state->status.code == Status::OK && view.silence <= too_silent)
         return line_of_regions(domains);
-      return {Tone::unknown, "Basic region not known", "The robot is not followed."};
+      return {SafetyLevel::unknown, "Basic region not known", "The robot is not followed."};
     default:
       return {};
   }

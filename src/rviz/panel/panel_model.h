@@ -53,11 +53,11 @@ struct NodeView {
 };
 
 /// How something is coloured.
-enum class Tone : std::uint8_t { clear, warn, stop, unknown };
+enum class SafetyLevel : std::uint8_t { clear, warn, stop, unknown };
 
 /// What is to be read first.
 struct Banner {
-  Tone tone = Tone::unknown;
+  SafetyLevel safety = SafetyLevel::unknown;
   std::string title;  ///< one word or two
   std::string text;
 };
@@ -66,7 +66,7 @@ Banner banner_of(const NodeView& view);
 
 /// Of uniqueness domains, in one line; without a text where there is nothing to say.
 struct DomainLine {
-  Tone tone = Tone::unknown;
+  SafetyLevel safety = SafetyLevel::unknown;
   std::string text;
   std::string tip;  ///< what it means
 };
@@ -76,7 +76,7 @@ DomainLine domain_line_of(const NodeView& view);
 /// One distance, to be drawn as a bar.
 struct DistanceGauge {
   std::string name;
-  Tone tone = Tone::unknown;
+  SafetyLevel safety = SafetyLevel::unknown;
   double lower = 0.0;  ///< proved, as a share of the bar, 0 to 1; not a number where not known
   double upper = 0.0;  ///< of the witness, likewise
   double warn = 0.0;   ///< thresholds, likewise; 0 for none

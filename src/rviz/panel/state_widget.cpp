@@ -94,22 +94,22 @@ void StateWidget::show_view(const NodeView& view) {
 void StateWidget::show_banner(const Banner& banner) {
   title_->setText(QString::fromStdString(banner.title));
   text_->setText(QString::fromStdString(banner.text));
-  if (tone_ == static_cast<int>(banner.tone)) return;
-  tone_ = static_cast<int>(banner.tone);
-  const char* const ink = banner.tone == Tone::warn ? "black" : "white";
+  if (safety_ == static_cast<int>(banner.safety)) return;
+  safety_ = static_cast<int>(banner.safety);
+  const char* const ink = banner.safety == SafetyLevel::warn ? "black" : "white";
   title_->setStyleSheet(
       QString("background: %1; color: %2; font-weight: bold; padding: 3px 6px; border-radius: 3px")
-          .arg(color_of(banner.tone).name(), ink));
+          .arg(color_of(banner.safety).name(), ink));
 }
 
 void StateWidget::show_domains(const DomainLine& line) {
   domains_->setVisible(!line.text.empty());
   domains_->setText(QString::fromStdString(line.text));
   domains_->setToolTip(QString::fromStdString(line.tip));
-  if (domains_tone_ == static_cast<int>(line.tone)) return;
-  domains_tone_ = static_cast<int>(line.tone);
-  domains_->setStyleSheet(line.tone == Tone::warn
-                              ? QString("background: %1; color: black").arg(color_of(line.tone).name())
+  if (domains_safety_ == static_cast<int>(line.safety)) return;
+  domains_safety_ = static_cast<int>(line.safety);
+  domains_->setStyleSheet(line.safety == SafetyLevel::warn
+                              ? QString("background: %1; color: black").arg(color_of(line.safety).name())
                               : QString());
 }
 

@@ -47,7 +47,7 @@ class StateWidget : public QWidget {
   QVBoxLayout* candidate_layout_;
   std::vector<QPushButton*> buttons_;
   std::vector<SolvedConfiguration> candidates_;  // of the buttons
-  int tone_ = -1, domains_tone_ = -1;            // that the title and the line of domains have; none yet
+  int safety_ = -1, domains_safety_ = -1;        // that the title and the line of domains have; none yet
 };
 
 }  // namespace parallel_aspects

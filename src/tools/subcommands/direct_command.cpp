@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/ask/kinematics.h"
+#include "parallel_aspects/ask/inverse_direct.h"
 #include "tools/question_options.h"
 #include "tools/report/answer_json.h"
 #include "tools/report/report.h"

@@ -150,7 +150,7 @@ class EndFinder {
           found.ends.push_back(link);
       if (found.last && found.ends == std::vector<std::size_t>{own} &&
           tree_.joints[*tree_.joint_above[own]].motion == JointMotion::revolute)
-        result_.blunt.push_back(own);
+        result_.without_tip_frame.push_back(own);
       result_.links.insert(result_.links.end(), found.ends.begin(), found.ends.end());
       if (found.last && !found.ends.empty()) terminal_.push_back(found);
       if (!found.ends.empty()) ended_.push_back(found);
@@ -319,7 +319,7 @@ class EndFinder {
     const bool any_platform = std::any_of(ends.begin(), ends.end(), [this](std::size_t link) {
       return operational_point_likeness(tree_.links[link]) > 0;
     });
-    if (any_platform || result_.blunt != ends) return {};
+    if (any_platform || result_.without_tip_frame != ends) return {};
     return two_by_two(ends, [this](std::size_t one, std::size_t other) { return distance(one, other); });
   }
 

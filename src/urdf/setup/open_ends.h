@@ -29,8 +29,8 @@ using EqualPairings = std::vector<Pairing>;
 
 /// Where the chains of a tree end, and which of these ends may be joints that the URDF, a tree, leaves out.
 struct OpenEnds {
-  std::vector<std::size_t> links;       ///< every end that may be one of a loop
-  std::vector<std::size_t> blunt;       ///< links that end a chain without a frame at their end
+  std::vector<std::size_t> links;              ///< every end that may be one of a loop
+  std::vector<std::size_t> without_tip_frame;  ///< links that end a chain without a frame at their end
   std::optional<std::size_t> platform;  ///< link that most looks like one, where there are several ends
   std::vector<EqualPairings> pairings;  ///< those that more speaks for first
   bool evident = false;                 ///< whether positions or names tell of any

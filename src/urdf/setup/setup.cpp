@@ -243,15 +243,15 @@ class Setup {
     if (result_.question) return result_;
     std::optional<ClosedResult> first;
     for (const EqualPairings& equals : ends.pairings) {
-      if (are_all_blunt(ends)) break;
+      if (have_no_tip_frames(ends)) break;
       if (try_equals(equals, ends, first)) return result_;
-      if (&equals == &ends.pairings.front() && equals.size() == 1 && blunt_ends(ends).empty() &&
+      if (&equals == &ends.pairings.front() && equals.size() == 1 && ends_without_tip_frame(ends).empty() &&
           !ends.may_have_finger && corrects(*first, ends))
         return result_;
-      if (result_.cut_short || !blunt_ends(ends).empty()) break;
+      if (result_.cut_short || !ends_without_tip_frame(ends).empty()) break;
     }
     const bool is_refused = first && !first->problems.empty() && !refused_.empty();
-    if (!is_refused || !blunt_ends(ends).empty())
+    if (!is_refused || !ends_without_tip_frame(ends).empty())
       ask_for_closures(ends);
     else
       refuse_ends(*first, ends);
@@ -282,19 +282,20 @@ class Setup {
   }
 
   // Links that what was tried first holds at their own joint; with them, those that several chains end at.
-  std::vector<std::size_t> blunt_ends(const OpenEnds& ends) const {
+  std::vector<std::size_t> ends_without_tip_frame(const OpenEnds& ends) const {
     const std::vector<EndPair> pairs = first_pairs(ends);
-    std::vector<std::size_t> blunt, links;
+    std::vector<std::size_t> without_tip_frame, links;
     std::map<std::size_t, int> closures;
     for (const EndPair& pair : pairs)
       for (const std::size_t link : {pair.one, pair.other}) {
         if (++closures[link] > 1) continue;
         links.push_back(link);
-        if (contains(ends.blunt, link)) blunt.push_back(link);
+        if (contains(ends.without_tip_frame, link)) without_tip_frame.push_back(link);
       }
     for (const std::size_t link : links)
-      if (!blunt.empty() && closures[link] > 1 && !contains(blunt, link)) blunt.push_back(link);
-    return blunt;
+      if (!without_tip_frame.empty() && closures[link] > 1 && !contains(without_tip_frame, link))
+        without_tip_frame.push_back(link);
+    return without_tip_frame;
   }
 
   static bool contains(const std::vector<std::size_t>& links, std::size_t link) {
@@ -302,10 +303,11 @@ class Setup {
   }
 
   // Rods without any length make no robot. A single pair may be that of hubs, which are held at their joints.
-  bool are_all_blunt(const OpenEnds& ends) const {
+  bool have_no_tip_frames(const OpenEnds& ends) const {
     const std::vector<EndPair> pairs = first_pairs(ends);
     return pairs.size() > 1 && std::all_of(pairs.begin(), pairs.end(), [&](const EndPair& pair) {
-             return contains(ends.blunt, pair.one) && contains(ends.blunt, pair.other);
+             return contains(ends.without_tip_frame, pair.one) &&
+                    contains(ends.without_tip_frame, pair.other);
            });
   }
 
@@ -356,29 +358,31 @@ class Setup {
   void ask_for_closures(const OpenEnds& ends) {
     SetupQuestion question{
         "closures", source_.files.urdf + " does not tell where its loops are closed", {}, {}};
-    const std::vector<std::size_t> blunt = blunt_ends(ends);
+    const std::vector<std::size_t> without_tip_frame = ends_without_tip_frame(ends);
     for (const EndPair& pair : first_pairs(ends))
-      question.example.push_back(example_of(pair.one, blunt) + "=" + example_of(pair.other, blunt));
+      question.example.push_back(example_of(pair.one, without_tip_frame) + "=" +
+                                 example_of(pair.other, without_tip_frame));
     if (question.example.empty()) {
       result_.problems = {source_.files.urdf +
                           " has one chain alone that could be in a loop; there is nothing to close, and only "
                           "parallel robots are treated."};
       return;
     }
-    if (!blunt.empty())
-      question.text += "; " + ends_of_chains(blunt) +
+    if (!without_tip_frame.empty())
+      question.text += "; " + ends_of_chains(without_tip_frame) +
                        " no frame at the far end: give each place in the frame of its link as X:Y:Z [m]";
     else if (result_.cut_short)
       question.text += " in the time there is";
     question.text += "; ends that are in no loop, as fingers, are left out of --closures";
     for (const EqualPairings& equals : ends.pairings)
       for (const Pairing& pairing : equals)
-        if (blunt.empty() && refused_.count(&pairing) == 0) question.candidates.push_back(described(pairing));
+        if (without_tip_frame.empty() && refused_.count(&pairing) == 0)
+          question.candidates.push_back(described(pairing));
     result_.question = question;
   }
 
-  std::string example_of(std::size_t link, const std::vector<std::size_t>& blunt) const {
-    return tree_.links[link] + (contains(blunt, link) ? "@X:Y:Z" : "");
+  std::string example_of(std::size_t link, const std::vector<std::size_t>& without_tip_frame) const {
+    return tree_.links[link] + (contains(without_tip_frame, link) ? "@X:Y:Z" : "");
   }
 
   // "links 'a', 'b' end chains and have"

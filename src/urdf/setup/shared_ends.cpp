@@ -109,7 +109,8 @@ std::optional<SetupQuestion> question_of_places(const Tree& tree, const OpenEnds
   if (!link) return std::nullopt;
   const std::string& name = tree.links[*link];
   const auto is_rod = [&](std::size_t end) {
-    return std::count(ends.blunt.begin(), ends.blunt.end(), end) > 0 && is_at_knee(tree, end);
+    return std::count(ends.without_tip_frame.begin(), ends.without_tip_frame.end(), end) > 0 &&
+           is_at_knee(tree, end);
   };
   const bool any_rod = std::any_of(pairs.begin(), pairs.end(), [&](const EndPair& pair) {
     return is_rod(pair.one == *link ? pair.other : pair.one);

@@ -47,10 +47,10 @@ TEST(BoxStages, EachIsAtLeastAsTightAsTheOneBefore) {
     EXPECT_LE(forms.entries().square(j).upper(), intervals.entries().square(j).upper());
     // By the mean value theorem the slopes bound how far B_jj^2 strays from its value at the center.
     double spread = 0.0;
-    const Slopes::Gradient gradient = slopes.squared_entry_gradient(j);
+    const Slopes::Gradient gradient = slopes.squared_b_entry_gradient(j);
     for (std::size_t i = 0; i < 3; ++i)
       spread += 0.5 * box.width(i) * std::max(-gradient[i].lower(), gradient[i].upper());
-    const Interval center = forms.squared_entry_at_center(j);
+    const Interval center = forms.squared_b_entry_at_center(j);
     EXPECT_LE(center.lower() - spread, forms.entries().square(j).upper());
     EXPECT_GE(center.upper() + spread, forms.entries().square(j).lower());
   }

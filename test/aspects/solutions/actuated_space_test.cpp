@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/solutions/actuated_space.h"
 
-#include "aspects/images/strut_images.h"
+#include "aspects/enclosures/strut_images.h"
 #include "aspects/solutions/solution_regions.h"
 #include "aspects/solutions/strut_solutions.h"
 #include "parallel_aspects/aspects/map_slice.h"

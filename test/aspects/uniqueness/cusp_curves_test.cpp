@@ -213,7 +213,7 @@ std::optional<CuspTrace> trace_through(const Robot& robot, const Cusp& cusp, con
   const Eigen::Vector2d rod = circle_of_anchor(*robot, *slice.joint).rod(cusp.pose);
   const RoundingUpward rounding;
   const PlanarHeldSlice held(*robot, *slice.joint);
-  CuspFamily family(held, held.postures().front());
+  SliceFamily family(held, held.postures().front());
   const auto& turn = cusp.pose.orientation;
   const MapPoint at{std::atan2(rod.y(), rod.x()) / test::pi,
                     std::remainder(2.0 * std::atan2(turn.z(), turn.w()), 2.0 * test::pi) / test::pi,
@@ -240,7 +240,7 @@ CurveRuns runs_of_trace(const Robot& robot, const CuspTrace& trace, double lower
   const MapSlice slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, 0.5 * (lower + upper)}});
   const RoundingUpward rounding;
   const PlanarHeldSlice held(*robot, *slice.joint);
-  CuspFamily family(held, held.postures().front());
+  SliceFamily family(held, held.postures().front());
   return runs_of(family, trace, {lower / test::pi, upper / test::pi});
 }
 
@@ -268,7 +268,7 @@ TEST(CuspTrace, ClosesCurves) {
 }
 
 // By differences of values over the family, all gradients, that by the held value among them.
-TEST(CuspFamily, HasTheGradientsOfItsFunctions) {
+TEST(SliceFamily, HasTheGradientsOfItsFunctions) {
   std::mt19937_64 random(3);
   test::RandomRobots robots(5);
   int compared = 0;
@@ -280,7 +280,7 @@ TEST(CuspFamily, HasTheGradientsOfItsFunctions) {
       const MapSlice slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, held}});
       const RoundingUpward rounding;
       const PlanarHeldSlice held_slice(*robot, *slice.joint);
-      CuspFamily family(held_slice, held_slice.postures().back());
+      SliceFamily family(held_slice, held_slice.postures().back());
       const MapPoint at{uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0), held / test::pi};
       const auto found = family.at(at);
       for (std::size_t k = 0; found && k < 3; ++k) {

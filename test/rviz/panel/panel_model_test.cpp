@@ -66,7 +66,7 @@ void expect_words(const std::string& text, const std::vector<std::string>& words
 TEST(PanelModel, SaysWhatItWaitsFor) {
   NodeView view;
   view.master_answers = false;
-  EXPECT_EQ(banner_of(view).tone, Tone::unknown);
+  EXPECT_EQ(banner_of(view).safety, SafetyLevel::unknown);
   expect_words(banner_of(view).text, {"ROS master", "roscore"});
   view.master_answers = true;
   expect_words(banner_of(view).text, {"none is running", "roslaunch"});
@@ -84,7 +84,7 @@ TEST(PanelModel, NamesLevelPlaceAndReason) {
   EXPECT_EQ(banner_of(view).text, "Aspect 7, (+,-), det A < 0");
   view.state->level = AspectState::STOP;
   view.state->reason = "too near";
-  EXPECT_EQ(banner_of(view).tone, Tone::stop);
+  EXPECT_EQ(banner_of(view).safety, SafetyLevel::stop);
   EXPECT_EQ(banner_of(view).text, "Aspect 7, (+,-), det A < 0\ntoo near");
   view.state->level = AspectState::WARN;
   EXPECT_EQ(banner_of(view).title, "WARN");
@@ -92,38 +92,38 @@ TEST(PanelModel, NamesLevelPlaceAndReason) {
   expect_words(banner_of(view).text, {"Aspect not known"});
   view.state->level = AspectState::NO_THRESHOLD;
   view.state->reason = "no threshold is set";
-  EXPECT_EQ(banner_of(view).tone, Tone::unknown);
+  EXPECT_EQ(banner_of(view).safety, SafetyLevel::unknown);
   EXPECT_EQ(banner_of(view).title, "NO THRESHOLD");
   expect_words(banner_of(view).text, {"no threshold is set"});
   view.state->level = 0;  // a message that nobody has filled
-  EXPECT_EQ(banner_of(view).tone, Tone::unknown);
+  EXPECT_EQ(banner_of(view).safety, SafetyLevel::unknown);
 }
 
 TEST(PanelModel, NamesTheBasicRegionAndWhetherADomainHoldsWhereTrackingBegan) {
   NodeView view = followed();
   UniquenessState& domains = view.state->uniqueness;
-  const auto expect_line = [&view](const char* text, Tone tone) {
+  const auto expect_line = [&view](const char* text, SafetyLevel safety) {
     EXPECT_EQ(domain_line_of(view).text, text);
-    EXPECT_EQ(domain_line_of(view).tone, tone) << text;
+    EXPECT_EQ(domain_line_of(view).safety, safety) << text;
   };
   domains.known = UniquenessState::REGIONS;
-  expect_line("Basic region not known", Tone::clear);
+  expect_line("Basic region not known", SafetyLevel::clear);
   domains.basic_region = domains.reference_region = 3;
   domains.sharing = UniquenessState::SHARED;
-  expect_line("Basic region 3, where tracking began", Tone::clear);
+  expect_line("Basic region 3, where tracking began", SafetyLevel::clear);
   domains.basic_region = 7;
   domains.domains = {1, 5};
-  expect_line("Basic region 7, in one domain with 3", Tone::clear);
+  expect_line("Basic region 7, in one domain with 3", SafetyLevel::clear);
   expect_words(domain_line_of(view).tip, {"hold it: 2."});
   domains.sharing = UniquenessState::UNKNOWN;
-  expect_line("Basic region 7, perhaps in no domain with 3", Tone::clear);
+  expect_line("Basic region 7, perhaps in no domain with 3", SafetyLevel::clear);
   domains.sharing = UniquenessState::APART;
   domains.warns = true;
-  expect_line("Basic region 7, in no known domain with 3", Tone::warn);
+  expect_line("Basic region 7, in no known domain with 3", SafetyLevel::warn);
   domains.basic_region = 0;  // in a strip
-  expect_line("Basic region not known, last in no known domain with 3", Tone::warn);
+  expect_line("Basic region not known, last in no known domain with 3", SafetyLevel::warn);
   view.state->status.code = Status::STALE;
-  expect_line("Basic region not known", Tone::unknown);
+  expect_line("Basic region not known", SafetyLevel::unknown);
 }
 
 TEST(PanelModel, SaysOfUniquenessDomainsWhatIsKnown) {
@@ -142,7 +142,7 @@ TEST(PanelModel, SaysOfUniquenessDomainsWhatIsKnown) {
 TEST(PanelModel, SaysThatANodeIsSilentWhereItsRobotWasFollowed) {
   NodeView view = followed();
   view.silence = 3.7;
-  EXPECT_EQ(banner_of(view).tone, Tone::unknown);
+  EXPECT_EQ(banner_of(view).safety, SafetyLevel::unknown);
   EXPECT_EQ(banner_of(view).title, "SILENT");
   expect_words(banner_of(view).text, {"3 s", "Aspect 7"});
   view.state->status.code = Status::STALE;  // then it has nothing to say
@@ -161,9 +161,9 @@ TEST(PanelModel, DrawsDistancesOnOneScale) {
   EXPECT_EQ(gauges[2].text, "none");
   EXPECT_EQ(gauges[2].lower, 0.0) << "an empty bar";
   EXPECT_EQ(gauges[2].upper, 0.0);
-  EXPECT_EQ(gauges[2].tone, Tone::clear);
+  EXPECT_EQ(gauges[2].safety, SafetyLevel::clear);
   for (const DistanceGauge& each : {gauges[0], gauges[1]}) {
-    EXPECT_EQ(each.tone, Tone::unknown) << "without a threshold nothing is near";
+    EXPECT_EQ(each.safety, SafetyLevel::unknown) << "without a threshold nothing is near";
     expect_words(each.tip, {"No threshold is set"});
   }
 }
@@ -176,7 +176,7 @@ TEST(PanelModel, TellsDistancesOfWristsAsAngles) {
   view.thresholds[0] = {0.99, 0.2};
   const auto gauges = gauges_of(view);
   EXPECT_EQ(gauges[0].text, "1 rad, shrinks 0.5 rad/s");
-  EXPECT_EQ(gauges[0].tone, Tone::clear) << "though the chord is below the threshold";
+  EXPECT_EQ(gauges[0].safety, SafetyLevel::clear) << "though the chord is below the threshold";
   expect_words(gauges[0].tip, {"1.1 rad", "WARN below 0.99 rad", "STOP below 0.2 rad"});
 }
 
@@ -193,14 +193,14 @@ TEST(PanelModel, ScalesAreOneTwoOrFive) {
 TEST(PanelModel, ComparesDistancesWithThresholds) {
   NodeView view = followed();
   view.thresholds[0] = {0.4, 0.2};
-  EXPECT_EQ(gauges_of(view)[0].tone, Tone::warn);
+  EXPECT_EQ(gauges_of(view)[0].safety, SafetyLevel::warn);
   expect_words(gauges_of(view)[0].tip, {"0.31 m", "WARN below 0.4 m", "STOP below 0.2 m"});
   view.thresholds[0] = {0.4, 0.3};
-  EXPECT_EQ(gauges_of(view)[0].tone, Tone::stop);
+  EXPECT_EQ(gauges_of(view)[0].safety, SafetyLevel::stop);
   view.thresholds[0] = {0.2, 0.1};
-  EXPECT_EQ(gauges_of(view)[0].tone, Tone::clear);
+  EXPECT_EQ(gauges_of(view)[0].safety, SafetyLevel::clear);
   view.thresholds[2] = {0.4, 0.3};
-  EXPECT_EQ(gauges_of(view)[2].tone, Tone::clear) << "there is none";
+  EXPECT_EQ(gauges_of(view)[2].safety, SafetyLevel::clear) << "there is none";
 }
 
 TEST(PanelModel, MeasuresNothingWhereNothingIsKnown) {
@@ -208,7 +208,7 @@ TEST(PanelModel, MeasuresNothingWhereNothingIsKnown) {
     view.thresholds[0] = {0.4, 0.2};
     const DistanceGauge gauge = gauges_of(view)[0];
     EXPECT_TRUE(std::isnan(gauge.lower) && std::isnan(gauge.upper));
-    EXPECT_EQ(gauge.tone, Tone::unknown);
+    EXPECT_EQ(gauge.safety, SafetyLevel::unknown);
     EXPECT_EQ(gauge.text, "not measured");
   }
 }

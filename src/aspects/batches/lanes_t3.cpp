@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/batches/chart_lanes_code.h"
-
-namespace parallel_aspects {
-
-template struct ChartLanes<T3Chart>;
-
-}  // namespace parallel_aspects

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/simd/chart_lanes_code.h"
+
+namespace parallel_aspects {
+
+template void ChartLanes<SO3Chart>::classify(const SO3Chart&, const ModeSigns<SO3Chart>&, const BoxRequests&,
+                                             Detail, InstructionSet) noexcept;
+template void ChartLanes<SO3Chart>::enclose_index(const IndexQuestion<SO3Chart>&,
+                                                  const std::vector<IndexRequest>&, EnclosedIndex*,
+                                                  InstructionSet) noexcept;
+
+}  // namespace parallel_aspects

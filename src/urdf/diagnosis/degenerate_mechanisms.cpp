@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/diagnosis/degenerate_mechanisms.h"
+
+#include "model/linear_algebra.h"
+#include "urdf/closing/assembly.h"
+#include "urdf/closing/chain.h"
+#include "urdf/closing/freedom.h"
+#include "urdf/corrections/legs_of_tree.h"
+#include "urdf/diagnosis/misfit_axes.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+// So many actuated joints are not meant to move one degree of freedom, whatever closures leave.
+constexpr std::size_t drives_of_more = 3;
+
+constexpr const char* treated = "only a platform on a slide, which one leg moves (T1), is treated.";
+
+class OneFreedom {
+ public:
+  OneFreedom(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+             const AssemblyResult& assembled, const SourceNames& files)
+      : tree_(tree),
+        resolved_(resolved),
+        assembled_(assembled),
+        files_(files),
+        platform_(resolved.actuated_joints.platform_link),
+        balls_(tree, resolved.base, as_balls(resolved.closures)) {}
+
+  // With the one joint that is actuated, or each of several that move together.
+  std::optional<std::string> find() const {
+    if (moves_in_one_way(assembled_)) {
+      if (auto message = misfit_types(tree_, resolved_, assembled_.assembly->values, files_)) return message;
+    } else if (!is_held_still()) {
+      return std::nullopt;
+    }
+    if (resolved_.actuated_joints.variables.size() >= drives_of_more) return std::nullopt;
+    const std::string point = operational_point_text(*tree_, platform_, files_);
+    if (const auto joint = turning_joint())
+      return files_.urdf + " turns " + point + " about joint '" + tree_->joints[*joint].name +
+             "' alone, as a boom that a piston moves; of linkages of one degree of freedom " + treated;
+    if (const auto slide = slide_below_platform())
+      return legs_at_platform() < 2
+                 ? std::nullopt
+                 : std::optional<std::string>(files_.urdf + " is a linkage of one degree of freedom, whose " +
+                                              point + " moves on slide '" + tree_->joints[*slide].name +
+                                              "' and is held by several legs; of those " + treated);
+    return files_.urdf + " is a linkage of one degree of freedom, as a four-bar, and its " + point +
+           " is not on a slide; of those " + treated;
+  }
+
+ private:
+  static std::vector<Closure> as_balls(std::vector<Closure> closures) {
+    for (Closure& closure : closures) closure.type = ClosureType::point;
+    return closures;
+  }
+
+  static bool moves_in_one_way(const AssemblyResult& assembled) {
+    return assembled.assembly && assembled.assembly->motions.cols() == 1;
+  }
+
+  // As by revolute closures about other axes than those of the joints.
+  bool is_held_still() const {
+    const auto& joints = resolved_.actuated_joints.variables;
+    return joints.size() == 1 && moves_in_one_way(assemble(balls_, joints, platform_));
+  }
+
+  std::optional<std::size_t> joint_on_base(JointMotion motion) const {
+    const auto joint = tree_->joint_above[body_of(*tree_, platform_)];
+    const bool is_one = joint && tree_->joints[*joint].motion == motion &&
+                        body_of(*tree_, tree_->joints[*joint].parent) == body_of(*tree_, resolved_.base);
+    return is_one ? joint : std::nullopt;
+  }
+
+  // That carries the platform on the base, in a loop with a slide.
+  std::optional<std::size_t> turning_joint() const {
+    const bool any_slide =
+        std::any_of(tree_->joints.begin(), tree_->joints.end(), [this](const TreeJoint& joint) {
+          return joint.motion == JointMotion::prismatic && balls_.in_loop()[*joint.variable];
+        });
+    return any_slide ? joint_on_base(JointMotion::revolute) : std::nullopt;
+  }
+
+  std::optional<std::size_t> slide_below_platform() const { return joint_on_base(JointMotion::prismatic); }
+
+  std::ptrdiff_t legs_at_platform() const {
+    const std::size_t body = body_of(*tree_, platform_);
+    return std::count_if(resolved_.closures.begin(), resolved_.closures.end(), [&](const Closure& closure) {
+      return body_of(*tree_, closure.frames[0].link) == body ||
+             body_of(*tree_, closure.frames[1].link) == body;
+    });
+  }
+
+  const std::shared_ptr<const Tree>& tree_;
+  const ResolvedConfig& resolved_;
+  const AssemblyResult& assembled_;
+  const SourceNames& files_;
+  std::size_t platform_;
+  ClosureSystem balls_;
+};
+
+}  // namespace
+
+std::optional<std::string> linkage_of_one_degree_of_freedom(const std::shared_ptr<const Tree>& tree,
+                                                            const ResolvedConfig& resolved,
+                                                            const AssemblyResult& assembled,
+                                                            const SourceNames& files) {
+  return OneFreedom(tree, resolved, assembled, files).find();
+}
+
+namespace {
+
+constexpr int starts_of_poses = 24;
+constexpr std::size_t most_poses = 12, least_poses = 6;
+
+// Elsewhere mobility beyond that of the platform is a fault of its own.
+constexpr std::size_t drives_of_spinning_rods = 6;
+
+// Of an assembled robot in one pose.
+class DriveOfPlatform {
+ public:
+  DriveOfPlatform(const ClosureSystem& system, const ActuatedJoints& joints, const SourceNames& files)
+      : system_(system), joints_(joints), files_(files) {}
+
+  // Whether each leg has its actuated joint, all of these move, and the platform in as many ways; but some of
+  // them with all actuated joints locked.
+  bool is_lost(const Eigen::VectorXd& values) const {
+    const LoopMotions loops = loop_motions(system_, values);
+    const std::size_t count = joints_.variables.size();
+    const bool has_idle = loops.motions.cols() > static_cast<Eigen::Index>(count);
+    if (has_idle && count != drives_of_spinning_rods) return false;
+    if (!platform_freedom(system_, {values, loops.motions, 0.0}, joints_.platform_link, count).is_full(count))
+      return false;
+    const Eigen::MatrixXd rates = actuated_rates(system_, loops.motions, joints_.variables);
+    const bool all_move = rates.rowwise().norm().minCoeff() > velocity_tolerance;
+    return all_move && singular_values(rates).minCoeff() < rank_tolerance && has_legs(values);
+  }
+
+ private:
+  bool has_legs(const Eigen::VectorXd& values) const {
+    const std::vector<bool> none(system_.in_loop().size(), false);
+    Problems problems;
+    return find_legs({system_, values, none}, joints_, files_, problems).legs.size() ==
+               joints_.variables.size() &&
+           problems.empty();
+  }
+
+  const ClosureSystem& system_;
+  const ActuatedJoints& joints_;
+  const SourceNames& files_;
+};
+
+}  // namespace
+
+std::optional<std::string> singular_everywhere(const std::shared_ptr<const Tree>& tree,
+                                               const ResolvedConfig& resolved, const SourceNames& files) {
+  const ActuatedJoints& joints = resolved.actuated_joints;
+  if (joints.variables.size() < 2) return std::nullopt;
+  const ClosureSystem system(tree, resolved.base, with_type(resolved.closures, ClosureType::point));
+  const DriveOfPlatform drive(system, joints, files);
+  const auto poses = closed_configurations(system, starts_of_poses, most_poses);
+  if (poses.size() < least_poses ||
+      !std::all_of(poses.begin(), poses.end(), [&](const auto& values) { return drive.is_lost(values); }))
+    return std::nullopt;
+  return files.urdf + " is assembled, but singular in every pose: det A is zero to rounding in all " +
+         std::to_string(poses.size()) +
+         " random poses that were tried, so that its actuated joints never hold " +
+         operational_point_text(*tree, joints.platform_link, files) +
+         "; change the places of the joints on base or platform, which are, for instance, two similar "
+         "hexagons joined corner to corner, or struts that stay parallel.";
+}
+
+}  // namespace parallel_aspects
