@@ -17,7 +17,7 @@ namespace parallel_aspects {
 namespace {
 
 // Evaluations of the cusp functions in all postures, so that an answer comes within minutes.
-constexpr std::size_t most_evaluations_for_curves = 5000000;
+constexpr std::size_t most_evaluations_for_curves = 12000000;
 
 HeldJoint middle_of(const Manipulator& manipulator, const HeldRange& range) {
   return {range.leg, 0.5 * (range.lower + range.upper), manipulator.leg(range.leg).actuated_by_angle()};

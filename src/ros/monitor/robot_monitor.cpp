@@ -26,7 +26,7 @@ RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const Nod
       reader_(mechanism),
       names_(*mechanism),
       start_(options.start),
-      start_tolerance_(options.start.tolerance.value_or(mechanism->manipulator()->size() / 20.0)),
+      start_tolerance_(tolerance_of(options.start, *mechanism->manipulator())),
       read_only_(options.read_only),
       passive_(mechanism, options.passive),
       meter_(mechanism->manipulator()),

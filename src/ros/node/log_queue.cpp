@@ -81,9 +81,9 @@ void LogQueue::write() {
     lines = std::exchange(lines_, {});
     dropped = std::exchange(dropped_, 0);
   }
+  for (const std::string& line : take_warnings(ros::SteadyTime::now())) ROS_WARN_STREAM(line);
   for (const std::string& line : lines) ROS_INFO_STREAM(line);
   if (dropped > 0) ROS_INFO_STREAM("and " << dropped << " more transitions");
-  for (const std::string& line : take_warnings(ros::SteadyTime::now())) ROS_WARN_STREAM(line);
 }
 
 }  // namespace parallel_aspects

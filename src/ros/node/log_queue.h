@@ -26,7 +26,7 @@ class LogQueue {
   /// Takes no lock where no warning came since the last time, so that it may be called at every sample.
   void withdraw();
 
-  /// Writes what has come in since.
+  /// Writes what has come in since, warnings first: what a transition ended is not the last that is read.
   void write();
 
   /// The warnings that `write` would write at this time; none comes twice.

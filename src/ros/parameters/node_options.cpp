@@ -90,17 +90,19 @@ void check_reach(const Pose& pose, double tolerance, const Manipulator& manipula
   }
   const double least = std::sqrt(squared / static_cast<double>(manipulator.leg_count()));
   checks.require(!(least > tolerance), "start/pose",
-                 "cannot be reached, nor any pose within start/tolerance, " + number_text(tolerance) +
-                     " m: to where " + farthest + " can reach its anchor is " + number_text(most) +
-                     " m away; state where the robot is.");
+                 "cannot be reached, nor any pose within start/tolerance, " +
+                     distance_text(manipulator, tolerance) + ": to where " + farthest +
+                     " can reach its anchor is " + distance_text(manipulator, most) +
+                     " away; state where the robot is.");
 }
 
 void check_start(const StartOptions& start, const Manipulator& manipulator, Checks& checks) {
   const TaskSpace space = manipulator.task_space();
   checks.require(!(start.pose && start.determinant_sign), "start",
                  "has both pose and determinant_sign; keep the one that is known.");
-  checks.require(!start.tolerance || positive(*start.tolerance), "start/tolerance",
-                 "must be a positive number [m]; leave it out for 1/20 of the robot's size.");
+  checks.require(
+      !start.tolerance || positive(*start.tolerance), "start/tolerance",
+      "must be a positive number [m, of spherical robots rad]; leave it out for 1/20 of the robot's size.");
   checks.require(!start.determinant_sign || std::abs(*start.determinant_sign) == 1, "start/determinant_sign",
                  "must be 1 or -1.");
   if (!start.pose) return;
@@ -112,7 +114,7 @@ void check_start(const StartOptions& start, const Manipulator& manipulator, Chec
   for (const std::string& name : coordinate_names(space)) names += (names.empty() ? "" : ", ") + name;
   const auto pose = pose_from_coordinates(space, coordinates);
   checks.require(pose.has_value(), "start/pose", "must be a list of finite numbers [" + names + "].");
-  const double tolerance = start.tolerance.value_or(manipulator.size() / 20.0);
+  const double tolerance = tolerance_of(start, manipulator);
   if (pose && positive(tolerance)) check_reach(*pose, tolerance, manipulator, checks);
 }
 
@@ -173,6 +175,10 @@ void check_tracking(const TrackerOptions& tracking, const PassiveOptions& passiv
 }
 
 }  // namespace
+
+double tolerance_of(const StartOptions& start, const Manipulator& manipulator) {
+  return start.tolerance ? DistanceUnit(manipulator).meant(*start.tolerance) : manipulator.size() / 20.0;
+}
 
 DistanceThresholds::Options thresholds_of(const ThresholdParameters& given, DistanceUnit unit) {
   const auto lengths = [&](double warn, double stop) {

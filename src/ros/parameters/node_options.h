@@ -20,8 +20,8 @@ namespace parallel_aspects {
 struct StartOptions {
   std::optional<std::vector<double>> pose;  ///< coordinates as `coordinate_names` [m or rad]
   std::optional<int> determinant_sign;      ///< sign of det A, 1 or -1
-  /// How far a direct solution may be from the pose that was said [m, RMS over the anchors]; positive.
-  /// Default: 1/20 of the robot's size.
+  /// How far a direct solution may be from the pose that was said, RMS over the anchors, in the
+  /// `DistanceUnit` of the robot [m or rad]; positive. Default: 1/20 of the robot's size.
   std::optional<double> tolerance;
 };
 
@@ -65,6 +65,9 @@ struct UniquenessParameters {
   double hold = 0.1;              ///< how long before the warning begins or ends [s], 0 to 60
   std::optional<int> most_cells;  ///< as in `UniquenessOptions`, 1,000 to 100,000,000
 };
+
+/// How far a direct solution may be from the pose that was said, as a length of the model [m].
+double tolerance_of(const StartOptions& start, const Manipulator& manipulator);
 
 /// What the thresholds of each hazard are, as lengths of the model [m].
 DistanceThresholds::Options thresholds_of(const ThresholdParameters& parameters, DistanceUnit unit);

@@ -230,7 +230,7 @@ class Writer {
     comment(indent,
             "Where the robot is when the monitor gets its first joint sample: a guess, the pose in which the "
             "loops were closed to find the mechanism. Where its actuated joints do not assemble within "
-            "start/tolerance of it [m], by default 1/20 of the robot's size, the assembly mode is not known. "
+            "start/tolerance of it, by default 1/20 of the robot's size, the assembly mode is not known. "
             "Coordinates: " +
                 joined(coordinate_names(*draft_.task_space)) + " [m, rad].");
     entry("pose", "[" + values + "]");
