@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/connectivity.h"
+
 #include "aspects/map/gate_crossings.h"
 #include "aspects/map/gate_leaves.h"
 #include "aspects/map/map_contents.h"
 #include "interval/interval.h"
-#include "parallel_aspects/aspects/connectivity.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model/angles.h"
 #include "parallel_aspects/aspects/map_pictures.h"
+
+#include "model/angles.h"
 
 #include <algorithm>
 #include <array>
