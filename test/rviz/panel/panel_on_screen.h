@@ -81,10 +81,16 @@ class PanelOnScreen : public testing::Test {
     Process process("xdotool", "", words);
     EXPECT_TRUE(until([&] { return process.has_ended(); })) << words.front();
   }
+  /// Once it is where it stays: a layout that changes takes a few rounds of events.
   void click(QWidget& widget, const QPoint& at) {
-    EXPECT_TRUE(until([&] { return widget.isVisible() && widget.isEnabled(); }))
-        << widget.objectName().toStdString();
-    const QPoint point = widget.mapToGlobal(at);
+    QPoint point;
+    int rounds = 0;
+    EXPECT_TRUE(until([&] {
+      const QPoint now = widget.mapToGlobal(at);
+      rounds = widget.isVisible() && widget.isEnabled() && now == point ? rounds + 1 : 0;
+      point = now;
+      return rounds >= 5;
+    })) << widget.objectName().toStdString();
     xdotool({"mousemove", std::to_string(point.x()), std::to_string(point.y()), "click", "1"});
   }
   void click(QWidget& widget) { click(widget, widget.rect().center()); }
