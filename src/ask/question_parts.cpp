@@ -5,11 +5,13 @@
 #include "model/task_space_traits.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
+#include "urdf/description/nearest_name.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects::ask {
@@ -233,6 +235,36 @@ void place_in_aspect(const std::string& field, const AspectMap& map, const EndQu
   }
   const Aspect& aspect = map.aspects()[id - 1];
   end = {aspect.deepest, aspect.mode, {}};
+}
+
+JointColumns::JointColumns(const Manipulator& robot, const std::vector<std::string>& names, std::string what,
+                           Problems& problems)
+    : what_(std::move(what)), count_(names.size()) {
+  std::vector<std::string> actuated;
+  for (const Leg& leg : robot.legs()) {
+    actuated.push_back(leg.actuated_joint);
+    const auto found = std::find(names.begin(), names.end(), leg.actuated_joint);
+    columns_.push_back(static_cast<std::size_t>(found - names.begin()));
+    if (std::count(names.begin(), names.end(), leg.actuated_joint) != 1)
+      problems.push_back(what_ + " does not have the joint '" + leg.actuated_joint +
+                         "' once; name every actuated joint.");
+  }
+  for (const std::string& name : names)
+    if (!contains(actuated, name))
+      problems.push_back(what_ + " has the unknown joint '" + name + "'" + suggestion(name, actuated, {}));
+}
+
+JointVector JointColumns::ordered(const std::vector<double>& values, const std::string& where,
+                                  Problems& problems) const {
+  if (values.empty()) return {};
+  JointVector result = JointVector::Zero(static_cast<Eigen::Index>(columns_.size()));
+  if (values.size() != count_)
+    problems.push_back(what_ + " has " + std::to_string(values.size()) + " numbers in " + where +
+                       "; give one a joint.");
+  else
+    for (std::size_t j = 0; j < columns_.size(); ++j)
+      result[static_cast<Eigen::Index>(j)] = values[columns_[j]];
+  return result;
 }
 
 }  // namespace parallel_aspects::ask

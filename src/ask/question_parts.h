@@ -9,6 +9,7 @@
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,22 @@ Box box_of(const std::string& field, const std::vector<std::string>& names,
 /// the rounding of a table to six digits it is refused, and the problem gives the nearest pose.
 double put_onto_slice(const MapSlice& slice, const Manipulator& robot, const std::string& field, Pose& pose,
                       ProblemList& problems);
+
+/// Values by the names of the actuated joints, as messages and files have them, in the order of the legs.
+class JointColumns {
+ public:
+  /// Each joint is named once, and nothing else; problems begin with `what`.
+  JointColumns(const Manipulator& robot, const std::vector<std::string>& names, std::string what,
+               Problems& problems);
+
+  /// Empty for no values. A problem where these are not one for each name.
+  JointVector ordered(const std::vector<double>& values, const std::string& where, Problems& problems) const;
+
+ private:
+  std::string what_;
+  std::size_t count_;                 // of the names
+  std::vector<std::size_t> columns_;  // of each leg
+};
 
 /// An end, understood: that of an aspect is of no meaning before there is a map. Where actuated joints
 /// assemble in several poses, and none is given beside them, the problem lists these.

@@ -46,29 +46,29 @@ double angle_of_chord(double chord) noexcept { return 2.0 * std::asin(std::clamp
 DistanceUnit::DistanceUnit(const Manipulator& manipulator) noexcept
     : is_angle_(moves_on_unit_sphere(manipulator)) {}
 
-double DistanceUnit::told(double length) const noexcept {
+double DistanceUnit::displayed(double length) const noexcept {
   return is_angle_ && std::isfinite(length) ? angle_of_chord(length) : length;
 }
 
-double DistanceUnit::told_speed(double length, double speed) const noexcept {
+double DistanceUnit::displayed_speed(double length, double speed) const noexcept {
   if (!is_angle_ || !std::isfinite(length)) return speed;
   const double half = std::clamp(0.5 * length, 0.0, 1.0);
   return speed / std::sqrt(1.0 - half * half);
 }
 
-double DistanceUnit::meant(double value) const noexcept {
+double DistanceUnit::length_of(double value) const noexcept {
   return is_angle_ ? 2.0 * std::sin(0.5 * std::clamp<double>(value, 0.0, EIGEN_PI)) : value;
 }
 
 std::string DistanceUnit::text(double length, int digits) const {
-  return number_text(told(length), digits) + " " + name();
+  return number_text(displayed(length), digits) + " " + name();
 }
 
 std::string distance_text(const Manipulator& manipulator, double length, int digits) {
   const DistanceUnit unit(manipulator);
   if (!unit.is_angle() || !std::isfinite(length)) return unit.text(length, digits);
-  return number_text(unit.told(length) * 180.0 / EIGEN_PI, digits) + " deg (" + unit.text(length, digits) +
-         ")";
+  return number_text(unit.displayed(length) * 180.0 / EIGEN_PI, digits) + " deg (" +
+         unit.text(length, digits) + ")";
 }
 
 }  // namespace parallel_aspects

@@ -22,8 +22,8 @@ std::optional<SphericalLinks> spherical_links(const Leg& leg) noexcept;
 /// Whether all legs are such, so that every distance is one on a sphere of radius 1 m.
 bool moves_on_unit_sphere(const Manipulator& manipulator) noexcept;
 
-/// How people are told distances between configurations, and state them: as lengths or, of robots that move
-/// on the unit sphere, as the angles at its center. The model computes with lengths, there chords. Nothing
+/// The unit in which distances between configurations are displayed and entered: lengths or, for robots that
+/// move on the unit sphere, the angles at its center. The model computes with lengths, there chords. Nothing
 /// else decides between the two.
 class DistanceUnit {
  public:
@@ -34,14 +34,14 @@ class DistanceUnit {
   constexpr bool is_angle() const noexcept { return is_angle_; }
   constexpr const char* name() const noexcept { return is_angle_ ? "rad" : "m"; }
 
-  /// What is told of a length of the model; what is not finite stays.
-  double told(double length) const noexcept;
+  /// A length of the model in this unit; what is not finite stays.
+  double displayed(double length) const noexcept;
 
-  /// The speed that is told of a length of the model that changes so fast [m/s].
-  double told_speed(double length, double speed) const noexcept;
+  /// The rate of `displayed(length)` where the length of the model changes at `speed` [m/s].
+  double displayed_speed(double length, double speed) const noexcept;
 
-  /// The length of the model that was meant; of more than half a turn the diameter.
-  double meant(double value) const noexcept;
+  /// The length of the model for a value in this unit; for more than half a turn the diameter.
+  double length_of(double value) const noexcept;
 
   /// "0.1 m" or "0.1 rad", of a length of the model.
   std::string text(double length, int digits) const;

@@ -200,13 +200,19 @@ Answer required(ask::Outcome<Answer> outcome) {
   return std::move(outcome.answer);
 }
 
-/// Reads a question and answers it. Throws what `required` does.
+/// What is asked. Throws `InvalidDescription` where a text cannot be read.
 template <class Question>
-auto asked(const std::shared_ptr<const Manipulator>& robot, const QuestionTexts& texts,
-           const Surroundings& surroundings) {
+Question understood(const Manipulator& robot, const QuestionTexts& texts, const QuestionFlags& flags = {}) {
   Problems problems;
-  const auto question = read_question<Question>(*robot, texts, problems);
+  auto question = read_question<Question>(robot, texts, problems, flags);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  return question;
+}
+
+/// Answers a question in a session of its own. Throws what `required` does.
+template <class Question>
+auto asked(const std::shared_ptr<const Manipulator>& robot, const Question& question,
+           const Surroundings& surroundings) {
   ask::Session session(robot);
   return required(answer(session, question, ShownAnswering(surroundings).control()));
 }
@@ -221,7 +227,8 @@ Subcommand question_subcommand(const std::string& name, const std::string& help,
   for (const Option& option : question_options<Question>(*texts)) options.push_back(option);
   return {name, help, options, [choice, texts, report_of](const Surroundings& surroundings) {
             const auto mechanism = load_robot(*choice);
-            return report_of(*mechanism, asked<Question>(mechanism->manipulator(), *texts, surroundings));
+            const auto& robot = mechanism->manipulator();
+            return report_of(*mechanism, asked(robot, understood<Question>(*robot, *texts), surroundings));
           }};
 }
 

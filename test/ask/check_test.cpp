@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ask/check.h"
 
+#include "ask/question_parts.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>

@@ -86,22 +86,6 @@ void describe(Visit& visit, CheckQuestion& question) {
 /// Whether all of it is there and goes together, whatever the waypoints are; else `answer` says why not.
 bool is_whole(const CheckQuestion& question);
 
-/// Values by the names of the actuated joints, as messages and files have them, in the order of the legs.
-class JointColumns {
- public:
-  /// Each joint is named once, and nothing else; problems begin with `what`.
-  JointColumns(const Manipulator& robot, const std::vector<std::string>& names, std::string what,
-               Problems& problems);
-
-  /// Empty for no values. A problem where these are not one for each name.
-  JointVector ordered(const std::vector<double>& values, const std::string& where, Problems& problems) const;
-
- private:
-  std::string what_;
-  std::size_t count_;                 // of the names
-  std::vector<std::size_t> columns_;  // of each leg
-};
-
 /// How fast an actuated joint is.
 struct JointSpeed {
   std::string joint;    ///< its name

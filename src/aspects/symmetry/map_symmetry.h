@@ -45,14 +45,14 @@ struct ModeSource {
 std::vector<ModeSource> find_mode_sources(const std::vector<MapSymmetry>& symmetries, std::size_t modes);
 
 /// The nodes of one level of a tree under the symmetries of its map. Of all pairs of a node and a working
-/// mode that are images of each other, the first is the one that the others are told by. The tree must be
-/// such that nodes have children exactly where their images have.
+/// mode that are images of each other, the first is the one that the others are derived from. The tree must
+/// be such that nodes have children exactly where their images have.
 class LevelSymmetry {
  public:
   /// The roots. The symmetries must outlive this.
   LevelSymmetry(const PoseTree& tree, const std::vector<MapSymmetry>& symmetries);
 
-  /// The pending modes of a node that are not told by another pair.
+  /// The pending modes of a node that are not derived from another pair.
   ModeSet own_modes(const PoseTree& tree, NodeIndex node) const;
 
   /// Once all nodes of the level have the states of their own modes: the others of them.

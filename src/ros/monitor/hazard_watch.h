@@ -67,7 +67,7 @@ class HazardWatch {
   void show_escape(const TrackedState& tracked, AspectState& state) const;
 
   std::shared_ptr<const Manipulator> manipulator_;
-  DistanceUnit unit_;  // of what people are told
+  DistanceUnit unit_;  // of displayed distances
   std::optional<MeasuredHazards> measured_;
   std::array<ApproachSpeed, hazard_count> speeds_;
   DistanceThresholds thresholds_;

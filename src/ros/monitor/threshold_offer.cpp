@@ -60,8 +60,8 @@ ThresholdParameters offered_thresholds(const Manipulator& robot, const StandOffE
   const double share = robot.leg_count() == 6 ? 0.005 : 0.02;
   ThresholdParameters offered;
   const DistanceUnit unit(robot);
-  offered.serial_stop = offered.limit_stop = rounded_up(unit.told(share * robot.size()));
-  offered.parallel_stop = rounded_up(unit.told(std::max(share * robot.size(), stand_off.largest)));
+  offered.serial_stop = offered.limit_stop = rounded_up(unit.displayed(share * robot.size()));
+  offered.parallel_stop = rounded_up(unit.displayed(std::max(share * robot.size(), stand_off.largest)));
   return offered;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/check_queries.h"
 
+#include "ask/question_parts.h"
 #include "model/message_text.h"
 #include "model/spherical_links.h"
 #include "parallel_aspects/kinematics/kinematics.h"

@@ -18,9 +18,11 @@ std::string region_text(std::uint32_t number) { return number == 0 ? "unknown" :
 
 void add_distances(const Manipulator& manipulator, const MonitorFindings& findings, bool known,
                    diagnostic_updater::DiagnosticStatusWrapper& status) {
-  const DistanceUnit told(manipulator);
-  const std::string unit = std::string(" [") + told.name() + "]";
-  const auto shown = [told](double length) { return std::to_string(told.told(length)); };
+  const DistanceUnit distance_unit(manipulator);
+  const std::string unit = std::string(" [") + distance_unit.name() + "]";
+  const auto shown = [distance_unit](double length) {
+    return std::to_string(distance_unit.displayed(length));
+  };
   for (std::size_t i = 0; i < hazard_count; ++i)
     status.add("proved distance to the nearest " + std::string(name(static_cast<Hazard>(i))) + unit,
                known ? shown(findings.distances[i].lower) : "unknown");

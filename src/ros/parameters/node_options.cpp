@@ -177,12 +177,12 @@ void check_tracking(const TrackerOptions& tracking, const PassiveOptions& passiv
 }  // namespace
 
 double tolerance_of(const StartOptions& start, const Manipulator& manipulator) {
-  return start.tolerance ? DistanceUnit(manipulator).meant(*start.tolerance) : manipulator.size() / 20.0;
+  return start.tolerance ? DistanceUnit(manipulator).length_of(*start.tolerance) : manipulator.size() / 20.0;
 }
 
 DistanceThresholds::Options thresholds_of(const ThresholdParameters& given, DistanceUnit unit) {
   const auto lengths = [&](double warn, double stop) {
-    return ThresholdOptions{unit.meant(warn), unit.meant(stop), given.hysteresis};
+    return ThresholdOptions{unit.length_of(warn), unit.length_of(stop), given.hysteresis};
   };
   return {lengths(given.parallel_warn, given.parallel_stop), lengths(given.serial_warn, given.serial_stop),
           lengths(given.limit_warn, given.limit_stop)};

@@ -156,13 +156,13 @@ std::string motion_of(double speed, DistanceUnit unit) {
          unit.name() + "/s";
 }
 
-// As people are told them, as the thresholds are.
-DistanceBounds told_bounds(const DistanceBounds& bounds, DistanceUnit unit) {
-  DistanceBounds told = bounds;
-  told.lower = unit.told(bounds.lower);
-  told.upper = unit.told(bounds.upper);
-  told.speed = unit.told_speed(bounds.lower, bounds.speed);
-  return told;
+// In the unit of the thresholds.
+DistanceBounds displayed_bounds(const DistanceBounds& bounds, DistanceUnit unit) {
+  DistanceBounds shown = bounds;
+  shown.lower = unit.displayed(bounds.lower);
+  shown.upper = unit.displayed(bounds.upper);
+  shown.speed = unit.displayed_speed(bounds.lower, bounds.speed);
+  return shown;
 }
 
 std::string text_of(const DistanceBounds& bounds, DistanceUnit unit) {
@@ -209,7 +209,7 @@ DistanceGauge gauge_of(const NodeView& view, Hazard hazard, double scale) {
   DistanceBounds bounds;
   bounds.lower = bounds.upper = bounds.speed = std::numeric_limits<double>::quiet_NaN();
   if (view.connected && view.state && view.state->status.code == Status::OK)
-    bounds = told_bounds(bounds_of(*view.state, hazard), view.unit);
+    bounds = displayed_bounds(bounds_of(*view.state, hazard), view.unit);
   DistanceGauge gauge;
   gauge.name = title_of(hazard);
   gauge.safety = safety_of(bounds, thresholds);
@@ -307,7 +307,7 @@ DomainLine domain_line_of(const NodeView& view) {
 }
 
 double scale_of(const NodeView& view) {
-  double largest = view.unit.told(view.largest_distance);
+  double largest = view.unit.displayed(view.largest_distance);
   for (const LevelThresholds& each : view.thresholds)
     largest = std::max({largest, 2.0 * each.warn, 2.0 * each.stop});
   if (!(largest > 0.0) || !std::isfinite(largest)) return 1.0;

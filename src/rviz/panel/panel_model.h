@@ -38,8 +38,8 @@ struct NodeView {
   std::uint64_t start = 0;     ///< counts the times that the node started anew or loaded another robot
   std::optional<AspectState> state;
   std::array<LevelThresholds, 3> thresholds;  ///< by `Hazard`
-  DistanceUnit unit;                          ///< that its distances are told in, and its thresholds are in
-  double largest_distance = 0.0;  ///< that was seen, of any hazard [m], also where angles are told
+  DistanceUnit unit;                          ///< of displayed distances and of thresholds
+  double largest_distance = 0.0;              ///< that was seen, of any hazard: a length [m] in either unit
   std::vector<AspectTransition> transitions;  ///< the last ones, the oldest first
   AssemblyCandidates candidates;
   std::optional<MapProgress> progress;

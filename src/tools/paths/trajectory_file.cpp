@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/paths/trajectory_file.h"
 
-#include "parallel_aspects/ask/check.h"
+#include "ask/question_parts.h"
 #include "tools/numbers.h"
 #include "tools/report/report.h"
 #include "urdf/description/text_file.h"

@@ -106,9 +106,7 @@ std::string distances_text(const Manipulator& manipulator, const ask::CheckAnswe
 }
 
 ask::CheckQuestion read(const CheckArguments& arguments, const Manipulator& robot) {
-  Problems problems;
-  auto question = read_question<ask::CheckQuestion>(robot, arguments.texts, problems);
-  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  auto question = understood<ask::CheckQuestion>(robot, arguments.texts);
   question.keep_samples = !arguments.csv_file.empty() || !arguments.picture_file.empty();
   if (!arguments.path.empty()) question.path.emplace();
   if (!arguments.trajectory.empty()) question.trajectory.emplace();
@@ -126,9 +124,7 @@ Report run(const CheckArguments& arguments, const Surroundings& surroundings) {
   check_output_file("--picture", arguments.picture_file, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));
   const auto robot = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
-  ask::Session session(robot);
-  const ask::CheckAnswer answer =
-      required(ask::answer(session, read(arguments, *robot), ShownAnswering(surroundings).control()));
+  const ask::CheckAnswer answer = asked(robot, read(arguments, *robot), surroundings);
   const TrajectoryCheck& check = answer.check;
   const Report constraints = report_constraints(*robot);
   Report report{

@@ -30,13 +30,9 @@ int code_of(TrajectoryAnswer answer) {
 Report report_of(const ChooseArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto robot = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
-  Problems problems;
-  auto question = read_question<ask::ChooseQuestion>(*robot, arguments.texts, problems, arguments.flags);
-  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  auto question = understood<ask::ChooseQuestion>(*robot, arguments.texts, arguments.flags);
   if (!arguments.path.empty()) question.path = read_pose_waypoints(robot->task_space(), arguments.path);
-  ask::Session session(robot);
-  const ask::ChooseAnswer answer =
-      required(ask::answer(session, question, ShownAnswering(surroundings).control()));
+  const ask::ChooseAnswer answer = asked(robot, question, surroundings);
   Report report = report_choice(*robot, answer);
   const bool counts_changes = answer.with_changes && answer.verdict() != TrajectoryAnswer::safe;
   report.exit_code = code_of(counts_changes ? answer.with_changes->answer : answer.verdict());

@@ -24,7 +24,7 @@ struct ConnectArguments {
 /// A distance that is proved.
 std::string clearance_text(const Manipulator& robot, double lower) {
   const DistanceUnit unit(robot);
-  return shown_bound(unit.told(lower), Side::below) + " " + unit.name();
+  return shown_bound(unit.displayed(lower), Side::below) + " " + unit.name();
 }
 
 std::string connection_path_text(const Manipulator& robot, const ask::ConnectionInMode& answer) {
@@ -66,7 +66,8 @@ std::string slice_text(const ask::ConnectAnswer& answer) {
 Report report_of(const ConnectArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto robot = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
-  const ask::ConnectAnswer answer = asked<ask::ConnectQuestion>(robot, arguments.texts, surroundings);
+  const ask::ConnectAnswer answer =
+      asked(robot, understood<ask::ConnectQuestion>(*robot, arguments.texts), surroundings);
   Report report{answer_json(*robot, answer), connection_text(*robot, answer)};
   report.json["mechanism"] = robot->name();
   const Report constraints = report_constraints(*robot);

@@ -22,7 +22,7 @@ struct DistanceArguments {
 /// [m], or an angle.
 std::string length_text(const Manipulator& manipulator, double length) {
   const DistanceUnit unit(manipulator);
-  return unit.is_angle() ? shown_angle(unit.told(length)) : shown(length);
+  return unit.is_angle() ? shown_angle(unit.displayed(length)) : shown(length);
 }
 
 std::string lower_text(const Manipulator& manipulator, const BoundaryDistance& distance) {
@@ -85,10 +85,11 @@ std::string hint_of_map(const RobotChoice& robot, const Manipulator& manipulator
 Report report_of(const DistanceArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto& robot = mechanism->manipulator();
-  const auto answer = asked<ask::DistanceQuestion>(robot, arguments.texts, surroundings);
+  const auto question = understood<ask::DistanceQuestion>(*robot, arguments.texts);
+  const ask::DistanceAnswer answer = asked(robot, question, surroundings);
   Report report{answer_json(*robot, answer), distances_text(*robot, answer)};
   report.json["mechanism"] = robot->name();
-  report.text += answer.loaded ? source_text({{}, {}, arguments.texts.at("map"), {}}, *answer.loaded)
+  report.text += answer.loaded ? source_text(question.map, *answer.loaded)
                                : hint_of_map(arguments.robot, *robot, answer.answers);
   return report;
 }

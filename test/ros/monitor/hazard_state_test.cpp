@@ -189,7 +189,7 @@ TEST(DistancesOfWrists, AreAngles) {
     EXPECT_EQ(level_at(0.499), ThresholdLevel::stop);
     const auto last = std::make_optional(ProvedHazard{Hazard::limit, 2.0 * std::sin(0.125), 0.1, 1.0});
     EXPECT_NE(reason_of(last, unit).find("0.25 rad away"), std::string::npos);
-    EXPECT_NEAR(unit.told_speed(2.0 * std::sin(0.5), std::cos(0.5)), 1.0, 1e-12);
+    EXPECT_NEAR(unit.displayed_speed(2.0 * std::sin(0.5), std::cos(0.5)), 1.0, 1e-12);
   }
   EXPECT_FALSE(DistanceUnit(*test::shipped("five_bar")->manipulator()).is_angle());
 }
@@ -213,7 +213,7 @@ TEST(ThresholdOffer, CanBePasted) {
       parameters.limit_stop = given["limit_stop"].as<double>();
       EXPECT_EQ(given.size(), 3U);
       EXPECT_TRUE(problems_of(parameters, "thresholds/").empty()) << offer;
-      EXPECT_EQ(warning_of(estimate, unit.meant(parameters.parallel_stop), unit), "") << offer;
+      EXPECT_EQ(warning_of(estimate, unit.length_of(parameters.parallel_stop), unit), "") << offer;
       EXPECT_NE(offer.find(std::string("} [") + unit.name() + "]"), std::string::npos) << offer;
       EXPECT_GT(parameters.serial_stop, 0.0);
       EXPECT_LT(parameters.serial_stop, 0.05 * mechanism->manipulator()->size()) << offer;
