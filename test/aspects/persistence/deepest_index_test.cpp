@@ -15,8 +15,10 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -50,6 +52,14 @@ class DeepestIndexTest : public testing::TestWithParam<Subject> {
     const MapResult result = map_of(GetParam());
     ASSERT_TRUE(result.map) << result.message;
     map = result.map;
+  }
+
+  /// Of that map, for all tests of the subject.
+  const std::optional<MapBasins>& depths(ParallelIndex index) const {
+    static std::map<std::pair<std::string, ParallelIndex>, std::optional<MapBasins>> results;
+    const auto [entry, is_new] = results.try_emplace({GetParam().name, index});
+    if (is_new) entry->second = find_basins(*map, index, BasinDetail::depths);
+    return entry->second;
   }
 
   double index_at(ParallelIndex index, const Pose& pose, const WorkingMode& mode) const {
@@ -86,7 +96,7 @@ class DeepestIndexTest : public testing::TestWithParam<Subject> {
 TEST_P(DeepestIndexTest, NoPoseHasALargerIndex) {
   const AspectMap::Contents& contents = map->contents();
   for (const ParallelIndex index : {ParallelIndex::normalised, ParallelIndex::determinant}) {
-    const auto basins = find_basins(*map, index, BasinDetail::depths);
+    const auto& basins = depths(index);
     ASSERT_TRUE(basins);
     int found = 0;
     for (int n = 0; n < test::thinned(10000) && !HasFailure(); ++n) {
@@ -123,7 +133,7 @@ TEST_P(DeepestIndexTest, WitnessesHaveTheIndexTheyStandFor) {
 }
 
 TEST_P(DeepestIndexTest, TheBoundsAreClose) {
-  const auto basins = find_basins(*map, ParallelIndex::normalised, BasinDetail::depths);
+  const auto& basins = depths(ParallelIndex::normalised);
   ASSERT_TRUE(basins);
   for (std::size_t i = 0; i < basins->deepest.size(); ++i) {
     const IndexRange& range = basins->deepest[i];
@@ -134,7 +144,7 @@ TEST_P(DeepestIndexTest, TheBoundsAreClose) {
 
 // Both ways to the bounds: modes that are images, and every mode by itself.
 TEST_P(DeepestIndexTest, ImagesOfModesAgreeWithTheirOwnBounds) {
-  const auto images = find_basins(*map, ParallelIndex::normalised, BasinDetail::depths);
+  const auto& images = depths(ParallelIndex::normalised);
   const auto own = find_basins(*map, ParallelIndex::normalised, BasinDetail::basins);
   ASSERT_TRUE(images && own);
   for (std::size_t i = 0; i < images->deepest.size(); ++i) {

@@ -34,16 +34,15 @@ std::shared_ptr<const Uniqueness> uniqueness_of_slice(const Robot& robot, double
 }
 
 /// The image of det A = 0 in doubles: a segment in each triangle of a grid of the slice whose corners have
-/// both signs, with ends that bisection finds on its edges.
+/// both signs, with ends that bisection finds on its edges. The triangles of a block are looked at where the
+/// corners of the blocks about it have both signs.
 class ImageCurve {
  public:
   ImageCurve(const Robot& robot, double held)
       : robot_(*robot), circle_(circle_of_anchor(robot_, *slice_of_first_strut(robot, held).joint)) {
-    for (int x = 0; x < cells; ++x)
-      for (int y = 0; y < cells; ++y) {
-        add({Point{x, y}, Point{x + 1, y}, Point{x, y + 1}});
-        add({Point{x + 1, y + 1}, Point{x + 1, y}, Point{x, y + 1}});
-      }
+    for (int x = 0; x < cells; x += block)
+      for (int y = 0; y < cells; y += block)
+        if (has_both_signs_about({x, y})) add_block({x, y});
   }
 
   /// Where segments cross that have no end in common, nor are next to one that has.
@@ -60,7 +59,7 @@ class ImageCurve {
   }
 
  private:
-  static constexpr int cells = 1500;
+  static constexpr int cells = 1500, block = 6;
   static constexpr double bucket_width = 0.05;
   using Point = std::array<int, 2>;
 
@@ -84,6 +83,22 @@ class ImageCurve {
     const auto [entry, is_new] = known_.try_emplace(point, 0.0);
     if (is_new) entry->second = determinant(at(point));
     return entry->second;
+  }
+
+  bool has_both_signs_about(const Point& corner) {
+    int negative = 0, all = 0;
+    for (int x = -block; x <= 2 * block; x += block)
+      for (int y = -block; y <= 2 * block; y += block, ++all)
+        negative += known_determinant({corner[0] + x, corner[1] + y}) < 0.0 ? 1 : 0;
+    return negative > 0 && negative < all;
+  }
+
+  void add_block(const Point& corner) {
+    for (int x = corner[0]; x < corner[0] + block; ++x)
+      for (int y = corner[1]; y < corner[1] + block; ++y) {
+        add({Point{x, y}, Point{x + 1, y}, Point{x, y + 1}});
+        add({Point{x + 1, y + 1}, Point{x + 1, y}, Point{x, y + 1}});
+      }
   }
 
   Vector2d zero_between(Vector2d negative, Vector2d positive) const {

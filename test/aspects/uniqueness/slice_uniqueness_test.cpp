@@ -51,7 +51,7 @@ struct Slice {
   static constexpr double pi = 3.14159265358979324;
 };
 
-std::vector<Slice> slices() {
+std::vector<Slice> computed_slices() {
   std::vector<Slice> result;
   const Robot three_rrr = test::three_rrr()->with_constraints({});
   result.emplace_back(three_rrr, 0, 0.3);
@@ -62,6 +62,11 @@ std::vector<Slice> slices() {
   legs[2].limits = JointLimits{-1.0, 1.0};
   result.emplace_back(test::manipulator("limited", TaskSpace::SE2, legs), 0, 1.2);
   return result;
+}
+
+const std::vector<Slice>& slices() {
+  static const std::vector<Slice> all = computed_slices();
+  return all;
 }
 
 /// The value that is held, with rounding: of the leg whose joint is held it is that of the slice.

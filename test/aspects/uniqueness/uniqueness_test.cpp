@@ -25,6 +25,12 @@ using test::uniform;
 
 Robot unlimited_three_rpr() { return test::three_rpr()->with_constraints({}); }
 
+/// Of it with the first strut held at 14.98, for the tests that look at it.
+const std::shared_ptr<const Uniqueness>& uniqueness_of_three_rpr() {
+  static const auto found = test::uniqueness_of_slice(unlimited_three_rpr(), 0, 14.98);
+  return found;
+}
+
 /// The slice on a grid, filled over neighbours with the same number of direct solutions and sign of det A.
 class FilledSlice {
  public:
@@ -83,7 +89,7 @@ class FilledSlice {
 
 // Against filling the slice by the direct solver: basic regions over one set lie in parts of their own.
 TEST(Uniqueness, HasTheBasicRegionsOfTheSlice) {
-  const auto found = test::uniqueness_of_slice(unlimited_three_rpr(), 0, 14.98);
+  const auto& found = uniqueness_of_three_rpr();
   const FilledSlice filled(*found);
   std::vector<const BasicRegion*> large;
   for (const BasicRegion& region : found->basic_regions)
@@ -98,7 +104,7 @@ TEST(Uniqueness, HasTheBasicRegionsOfTheSlice) {
 }
 
 TEST(Uniqueness, HasDomainsOfOneRegionASet) {
-  const auto found = test::uniqueness_of_slice(unlimited_three_rpr(), 0, 14.98);
+  const auto& found = uniqueness_of_three_rpr();
   const auto same_set = [&](std::size_t a, std::size_t b) {
     return (found->basic_regions[a].actuated - found->basic_regions[b].actuated).norm() < 1e-6;
   };
@@ -119,7 +125,7 @@ TEST(Uniqueness, HasDomainsOfOneRegionASet) {
 
 // The six solutions of the region in the middle, three in each component.
 TEST(Uniqueness, HasThreeOfSixSolutionsInEachComponent) {
-  const auto found = test::uniqueness_of_slice(unlimited_three_rpr(), 0, 14.98);
+  const auto& found = uniqueness_of_three_rpr();
   ASSERT_EQ(found->regions.size(), 3U);
   EXPECT_EQ(found->regions[2].solutions, 6U);
   for (const BasicComponent& component : found->basic_components) {
