@@ -48,7 +48,7 @@ int ask(const Report& question, const Surroundings& surroundings) {
 
 int perform(const Subcommand& subcommand, const Surroundings& surroundings) {
   try {
-    check_distinct_files(subcommand);
+    check_option_files(subcommand);
     const Report report = subcommand.run(surroundings);
     if (is_interrupted(surroundings)) return exit_code::interrupted;
     const int printed = print(surroundings.json ? to_text(report.json) : report.text, surroundings);

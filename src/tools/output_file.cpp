@@ -37,6 +37,15 @@ struct NamedFile {
 
 bool is_written(FileUse use) { return use == FileUse::saved || use == FileUse::written; }
 
+// A map that is saved to the same file is computed the first time, and loaded from then on.
+bool is_missing(const NamedFile& input, const std::vector<NamedFile>& files) {
+  std::error_code error;
+  return input.use == FileUse::loaded && !std::filesystem::is_regular_file(input.file, error) &&
+         std::none_of(files.begin(), files.end(), [&](const NamedFile& other) {
+           return other.use == FileUse::saved && are_same_file(other.file, input.file);
+         });
+}
+
 bool are_at_odds(const NamedFile& output, const NamedFile& other) {
   return output.use != FileUse::saved || other.use != FileUse::loaded;
 }
@@ -63,9 +72,14 @@ void check_map_output(const std::string& option, const std::string& file, Proble
   if (!file.empty()) add_problem(option, file, problem_of_saving(file), problems);
 }
 
-void check_distinct_files(const Subcommand& subcommand) {
+void check_option_files(const Subcommand& subcommand) {
   Problems problems;
   const std::vector<NamedFile> files = files_of(subcommand);
+  for (const NamedFile& input : files)
+    if (is_missing(input, files))
+      problems.push_back(input.option + " is '" + input.file +
+                         "', which is no file; write one by `aspects map --save`, or leave out " +
+                         input.option + ".");
   for (auto output = files.begin(); output != files.end(); ++output) {
     if (!is_written(output->use)) continue;
     const auto same = std::find_if(files.begin(), files.end(), [&](const NamedFile& other) {

@@ -17,9 +17,9 @@ void check_output_file(const std::string& option, const std::string& file, Probl
 /// The same of a file for a map, which is not written over what is no map.
 void check_map_output(const std::string& option, const std::string& file, Problems& problems);
 
-/// Throws `InvalidDescription` with a problem for each file that would be written over another one of the
-/// options of a subcommand.
-void check_distinct_files(const Subcommand& subcommand);
+/// Throws `InvalidDescription` with a problem for each file of the options of a subcommand that would be
+/// written over another one of them, and for each map that is to be loaded and is not there.
+void check_option_files(const Subcommand& subcommand);
 
 /// Replaces a file by this text. Throws `InvalidDescription` where it cannot; `what` begins that sentence.
 void write_output_file(const std::string& what, const std::string& file, const std::string& text);

@@ -126,6 +126,8 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
       const std::size_t before = contents->notes.size();
       note_ends({tree, resolved, ends_meet, files, recognise_in, attempt}, *contents);
       note_units(tree, resolved, files, attempt, *contents);
+      if (auto note = borrowed_length_note(tree, resolved, files, attempt))
+        contents->notes.push_back(std::move(*note));
       if (contents->notes.size() == before)  // a frame that is turned turns an axis, too
         for (std::string& note : other_axes_notes(tree, resolved, files, attempt))
           contents->notes.push_back(std::move(note));

@@ -99,6 +99,24 @@ TEST_F(Command, DistancesAskAMap) {
             exit_code::bad_input);
 }
 
+// Only a map that is saved to the same file need not be there yet.
+TEST_F(Command, RefusesAMapThatIsNotThere) {
+  const std::vector<std::vector<const char*>> questions{
+      {"distance", "five_bar", "--pose", "4.5 8", "--map", "/no/such"},
+      {"map", "five_bar", "--load", "/no/such"},
+      {"plan", "five_bar", "--from", "4.5 8", "--to", "4 6", "--load", "/no/such"},
+      {"map", "five_bar", "--load", "/no/such", "--save", "elsewhere"},
+      {"map", "five_bar", "--load", "/"}};
+  for (const std::vector<const char*>& question : questions) {
+    const Outcome outcome = run(question);
+    EXPECT_EQ(outcome.code, exit_code::bad_input);
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_NE(outcome.messages.find("which is no file; write one by `aspects map --save`, or leave out --"),
+              std::string::npos)
+        << outcome.messages;
+  }
+}
+
 // Where the bounds of the command alone are loose it says how those of a map are had, to be typed as it
 // stands.
 TEST_F(Command, LooseDistancesSayWhatAMapGives) {

@@ -4,6 +4,8 @@
 #include "model/message_text.h"
 #include "urdf/corrections/correction.h"
 #include "urdf/corrections/legs_of_tree.h"
+#include "urdf/description/name_words.h"
+#include "urdf/diagnosis/closure_gaps.h"
 
 #include <Eigen/Geometry>
 
@@ -19,10 +21,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double alike = 1e-3;       // of directions
-constexpr double not_in_line = 0.1;  // sine of the angle at the middle, at least, for a plane of the joints
-constexpr double one_sided = 0.01;   // of a range of values
-constexpr double turned = 0.1;       // sine of the angle between axes that differ, at least
+constexpr double alike = 1e-3;        // of directions
+constexpr double not_in_line = 0.1;   // sine of the angle at the middle, at least, for a plane of the joints
+constexpr double one_sided = 0.01;    // of a range of values
+constexpr double same_length = 1e-6;  // to which a place is typed [m]
+constexpr double turned = 0.1;        // sine of the angle between axes that differ, at least
 
 // An actuated joint on the base.
 struct Drive {
@@ -151,6 +154,42 @@ std::vector<std::string> other_axes_notes(const std::shared_ptr<const Tree>& tre
           ", than those of the other legs, seen from the middle of these; if that is not meant, write <axis "
           "xyz=\"" +
           as_attribute(joint.axis) + "\"/> for joint '" + joint.name + "'."};
+}
+
+namespace {
+
+// The joint that has the other end in that place on a link of the same name but for its number.
+const TreeJoint* lender_of(const Tree& tree, const LinkFrame& end, const LinkFrame& other) {
+  const Vector3d place = end.in_link.translation();
+  if (place.norm() <= same_length) return nullptr;
+  for (const TreeJoint& joint : tree.joints)
+    if (!joint.variable && joint.child == other.link && joint.parent != end.link &&
+        role_of(tree.links[joint.parent]) == role_of(tree.links[end.link]) &&
+        (joint.origin.translation() - place).norm() <= same_length)
+      return &joint;
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<Note> borrowed_length_note(const std::shared_ptr<const Tree>& tree,
+                                         const ResolvedConfig& resolved, const SourceNames& files,
+                                         const Attempt& attempt) {
+  const TreeJoint* lender = nullptr;
+  ResolvedConfig changed = resolved;
+  for (Closure& closure : changed.closures)
+    for (const std::size_t end : {0, 1})
+      if (const TreeJoint* joint = lender_of(*tree, closure.frames[end], closure.frames[1 - end])) {
+        lender = joint;
+        closure.frames[end].in_link.translation().setZero();
+      }
+  if (lender == nullptr || !attempt(tree, changed)) return std::nullopt;
+  const std::string carrier = "'" + tree->links[lender->parent] + "'";
+  return "These legs are not alike, which is perhaps not your robot: closures end some where link '" +
+         tree->links[lender->child] + "' is on " + carrier + ", by the length of joint '" + lender->name +
+         "', while the leg of " + carrier + " ends at its origin; if all end so, write " +
+         closures_entry(*tree, with_known_types(tree, changed, attempt)) + " under mechanism in " +
+         files.config + ".";
 }
 
 namespace {

@@ -211,8 +211,6 @@ class Setup {
     closures.insert(closures.end(), added.begin(), added.end());
     SetupCandidate candidate = described(asked);
     if (adds) candidate.reason += ", beside those that the URDF describes";
-    if (const auto note = note_on_borrowed_lengths(tree_, answers_.closures))
-      result_.notes.insert(result_.notes.begin(), *note);
     take(search_closed(subject_, closures, candidate, adds));
     return result_;
   }

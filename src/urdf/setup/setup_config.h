@@ -9,7 +9,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,11 +27,6 @@ std::optional<PlacedFrame> placed_frame(const std::string& text);
 /// Adds it to the tree as a link of that name, fixed to the link that it is in. Does nothing for any other
 /// text, or where that link is missing.
 void add_placed_frame(Tree& tree, const std::string& text);
-
-/// That ends of these closures are given at a place which another like link has the other end at: a length of
-/// that one, as where the plate is on the first of six pins. With the closures at the origins of the links.
-std::optional<std::string> note_on_borrowed_lengths(const Tree& tree,
-                                                    std::vector<std::array<std::string, 2>> closures);
 
 /// What the YAML of a robot says, with the reasons for it.
 struct SetupDraft {

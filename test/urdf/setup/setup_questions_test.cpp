@@ -37,6 +37,13 @@ Strings filled(Strings pairs, const Strings& places) {
   return pairs;
 }
 
+// Empty where there is none.
+std::string note_with(const Mechanism& mechanism, const std::string& words) {
+  for (const std::string& note : mechanism.notes())
+    if (note.find(words) != std::string::npos) return note;
+  return "";
+}
+
 // Of rods and corners without links, in one question.
 TEST(Setup, AsksAtOnceForAllPlacesThatHaveNoLink) {
   const std::string blunt = urdf_of("blunt_three_rrr");
@@ -101,24 +108,33 @@ TEST(Setup, WarnsOfAnAnswerWithALengthOfAnotherLink) {
   const Strings places{"0.115080:0.125126:0", "0.050823:0.162225:0", "-0.165903:0.037099:0",
                        "-0.165903:-0.037099:0", "0.050823:-0.162225:0"};
   Strings lent, right;
-  std::string option;
   for (std::size_t k = 0; k < places.size(); ++k) {
     right.push_back("plate@" + places[k] + "=pin_" + std::to_string(k + 2));
     lent.push_back(right.back() + length);
-    option += (k == 0 ? "" : " ") + right.back();
   }
   const SetupResult wrong = set_up_text(urdf, with_closures(lent));
-  ASSERT_FALSE(wrong.notes.empty()) << listed(wrong.problems);
-  EXPECT_EQ(
-      wrong.notes.front(),
-      "These legs are not alike, which is perhaps not your robot: --closures ends some where link "
-      "'plate' is on 'pin_1', by the length of joint 'plate_joint', while the leg of 'pin_1' ends at its "
-      "origin; if all end so, write --closures '" +
-          option + "'.");
-  EXPECT_NE(wrong.config.find("These legs are not alike"), std::string::npos);
+  ASSERT_TRUE(wrong.mechanism) << listed(wrong.problems);
+  const std::string said =
+      "These legs are not alike, which is perhaps not your robot: closures end some where link 'plate' is on "
+      "'pin_1', by the length of joint 'plate_joint', while the leg of 'pin_1' ends at its origin; if all "
+      "end "
+      "so, write closures: [{frames: [{link: plate, xyz: [0.11508, 0.125126, 0], rpy: [0, 0, 0]}, pin_2], "
+      "type: fixed}, ";
+  const std::string note = note_with(*wrong.mechanism, "not alike");
+  EXPECT_EQ(note.rfind(said, 0), 0U) << note;
+  EXPECT_NE(wrong.config.find("These legs are not alike"), std::string::npos) << wrong.config;
   const SetupResult found = set_up_text(urdf, with_closures(right));
   ASSERT_TRUE(found.mechanism) << listed(found.problems);
-  EXPECT_TRUE(found.notes.empty()) << found.notes.front();
+  EXPECT_EQ(note_with(*found.mechanism, "not alike"), "");
+  const std::size_t list = note.find("closures: ["), end = note.find("] under mechanism");
+  const std::size_t written = wrong.config.find("  closures:\n"), after = wrong.config.find("\n\n", written);
+  std::string corrected = wrong.config;
+  corrected.replace(written, after - written, "  " + note.substr(list, end + 1 - list));
+  const auto as_offered = load_mechanism(urdf, "robot.urdf", corrected, "robot.yaml");
+  EXPECT_EQ(note_with(*as_offered, "not alike"), "");
+  for (std::size_t leg = 0; leg < 6; ++leg)
+    EXPECT_NEAR(as_offered->manipulator()->legs()[leg].squared_distance(0.0),
+                found.mechanism->manipulator()->legs()[leg].squared_distance(0.0), 1e-7);
 }
 
 TEST(Setup, AsksForBothEndsOfRodsThatManyChainsHave) {
