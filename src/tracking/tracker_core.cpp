@@ -125,6 +125,7 @@ bool TrackerCore::resume() noexcept {
   Transition transition = from_here(TransitionKind::found, state_.time);
   transition.ambiguity = state_.ambiguity;
   transition.determinant_sign_before = 0;
+  transition.aspect_after = state_.aspect = aspect_here();
   add(transition);
   state_.status = TrackStatus::tracking;
   state_.ambiguity = Ambiguity::none;
@@ -318,12 +319,8 @@ double TrackerCore::zero_time(const CertifiedPoint& from, const CertifiedPoint& 
 void TrackerCore::cross(std::size_t leg, double time) noexcept {
   Transition transition = from_here(TransitionKind::working_mode, time);
   state_.mode.set_sign(leg, -state_.mode.sign(leg));
-  state_.aspect = 0;
+  state_.aspect = aspect_here();
   mode_changed_ = true;
-  if (map_) {
-    const Location location = map_->locate(state_.pose, state_.mode);
-    if (location.status == LocationStatus::inside) state_.aspect = location.aspect;
-  }
   transition.leg = leg;
   transition.mode_after = state_.mode;
   transition.aspect_after = state_.aspect;
@@ -383,15 +380,20 @@ void TrackerCore::become_ambiguous(Ambiguity why) noexcept {
   state_.aspect = 0;
 }
 
-void TrackerCore::identify_aspect() noexcept {
-  if (!map_) return;
+int TrackerCore::aspect_here() const noexcept {
+  if (!map_) return 0;
   const Location location = map_->locate(state_.pose, state_.mode);
-  if (location.status != LocationStatus::inside) return;
-  state_.aspect = location.aspect;
-  if (reported_aspect_ == location.aspect) return;
+  return location.status == LocationStatus::inside ? location.aspect : 0;
+}
+
+void TrackerCore::identify_aspect() noexcept {
+  const int aspect = aspect_here();
+  if (aspect == 0) return;
+  state_.aspect = aspect;
+  if (reported_aspect_ == aspect) return;
   Transition transition = from_here(TransitionKind::aspect, state_.time);
   // The same as before a time when it was unknown: from unknown to it.
-  transition.aspect_before = last_aspect_ == location.aspect ? 0 : last_aspect_;
+  transition.aspect_before = last_aspect_ == aspect ? 0 : last_aspect_;
   transition.determinant_sign_before = last_determinant_sign_;
   transition.determinant = last_determinant_sign_ * state_.determinant_sign < 0;
   add(transition);

@@ -2,6 +2,7 @@
 //
 // Steps that are lost, and what the tracker makes of them by itself: the assembly mode is found again where
 // all that the actuated joints can have done keeps to it, and never another one.
+#include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/tracking/tracker.h"
 
 #include <gtest/gtest.h>
@@ -66,6 +67,23 @@ TEST_F(LostAtRest, IsFoundWhereItsVelocityLimitsKeepItInItsAssemblyMode) {
   EXPECT_EQ(found.determinant_sign_after, 1);
   q[0] += 1e-4;
   EXPECT_EQ(tracker.update(1.03, q).status, TrackStatus::tracking);
+}
+
+// So that the last transition is the one that says why the state is known again.
+TEST_F(LostAtRest, IsFoundInItsAspectByOneTransition) {
+  Tracker tracker = lost(0.2);
+  const auto map = compute_aspect_map(five_bar(0.2)).map;
+  tracker.set_map(map);
+  ASSERT_TRUE(tracker.find_candidates());
+  ASSERT_EQ(tracker.transitions().count, 1U);
+  const Transition& found = *tracker.transitions().begin();
+  EXPECT_EQ(found.kind, TransitionKind::found);
+  EXPECT_EQ(found.aspect_before, 0);
+  EXPECT_EQ(found.aspect_after, map->locate(Pose::planar(4.5, 8.0), tracker.state().mode).aspect);
+  EXPECT_NE(found.aspect_after, 0);
+  EXPECT_EQ(tracker.state().aspect, found.aspect_after);
+  tracker.update(1.02, tracker.state().q);
+  EXPECT_EQ(tracker.transitions().count, 0U) << "which is not said again";
 }
 
 TEST_F(LostAtRest, IsNotFoundWhereItCanHaveChangedItsAssemblyMode) {

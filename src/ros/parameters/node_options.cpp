@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/parameters/node_options.h"
 
+#include "aspects/boxes/box_classifier.h"
+#include "aspects/map/empty_map.h"
 #include "aspects/map/map_plan.h"
 #include "model/message_text.h"
 #include "parallel_aspects/kinematics/kinematics.h"
@@ -58,17 +60,48 @@ void check_map(const MapOptions& map, const Manipulator& manipulator, Checks& ch
                        std::to_string(i + 1) + " is not.");
 }
 
-// A resolution that is too fine shows in the plan of the map alone. Where there is no map without it either,
-// the node does without one.
-void check_resolution(const MapOptions& map, const Manipulator& manipulator, Checks& checks,
+// Why there is no map; empty where there is one.
+std::string why_no_map(const Manipulator& manipulator, const MapOptions& map) {
+  MapPlan plan;
+  return make_map_plan(manipulator, map, plan);
+}
+
+// Where there is no map without it either, the node does without one.
+void check_resolution(MapOptions map, const Manipulator& manipulator, Checks& checks,
                       const std::string& group) {
-  if (!map.resolution || !checks.empty() || manipulator.task_space() == TaskSpace::SE3) return;
-  MapOptions as_default = map;
-  as_default.resolution.reset();
-  MapPlan plan, default_plan;
-  const std::string problem = make_map_plan(manipulator, map, plan);
-  const bool too_fine = !problem.empty() && make_map_plan(manipulator, as_default, default_plan).empty();
-  checks.require(!too_fine, group + "resolution", "gives no map: " + problem);
+  if (!map.resolution) return;
+  const std::string problem = why_no_map(manipulator, map);
+  map.resolution.reset();
+  checks.require(problem.empty() || !why_no_map(manipulator, map).empty(), group + "resolution",
+                 "gives no map: " + problem);
+}
+
+void check_region(const MapOptions& map, const Manipulator& manipulator, Checks& checks,
+                  const std::string& group) {
+  MapPlan plan;
+  if (!map.region || !make_map_plan(manipulator, map, plan).empty()) return;
+  const std::string problem = why_out_of_reach(*map.region, plan.classifier->reachable_positions(),
+                                               coordinate_names(manipulator.task_space()));
+  checks.require(problem.empty(), group + "region", "gives no map: " + problem);
+}
+
+void check_workspace(const MapOptions& map, const Manipulator& manipulator, Checks& checks) {
+  const ConstraintKinds kinds = manipulator.constraint_kinds();
+  const std::size_t workspace = index_of(ConstraintKind::workspace);
+  if (!kinds[workspace]) return;
+  const std::string problem = why_no_map(manipulator, map);
+  if (problem.empty()) return;
+  const auto without = manipulator.with_constraints(ConstraintKinds(kinds).reset(workspace));
+  checks.require(!why_no_map(*without, map).empty(), "constraints/workspace", "gives no map: " + problem);
+}
+
+// What leaves no map shows in its plan alone.
+void check_plan(const MapOptions& map, const Manipulator& manipulator, Checks& checks,
+                const std::string& group) {
+  if (!checks.empty() || manipulator.task_space() == TaskSpace::SE3) return;
+  check_resolution(map, manipulator, checks, group);
+  check_region(map, manipulator, checks, group);
+  check_workspace(map, manipulator, checks);
 }
 
 // How far the anchor of a leg that stands at `point` must be moved at least for the leg to reach it [m].
@@ -197,14 +230,14 @@ Problems problems_of(const ThresholdParameters& thresholds, const std::string& p
 Problems problems_of(const MapOptions& options, const Manipulator& manipulator, const std::string& prefix) {
   Checks checks(prefix);
   check_map(options, manipulator, checks, "");
-  check_resolution(options, manipulator, checks, "");
+  check_plan(options, manipulator, checks, "");
   return checks.take();
 }
 
 Problems problems_of(const NodeOptions& options, const Manipulator& manipulator, const std::string& prefix) {
   Checks checks(prefix);
   check_map(options.map, manipulator, checks, "map/");
-  check_resolution(options.map, manipulator, checks, "map/");
+  check_plan(options.map, manipulator, checks, "map/");
   checks.require(options.map_file.empty() || options.map_file.front() == '/', "map/file",
                  "must be an absolute path, or empty for none.");
   check_start(options.start, manipulator, checks);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include "support/robots/constrained_robots.h"
 #include "support/robots/robots.h"
 #include <limits>
 
@@ -206,6 +207,23 @@ TEST(ProblemsOf, AResolutionThatIsTooFineIsRefusedWithItsLimit) {
   EXPECT_TRUE(mention(problems, "no box has edges below 9.69e-08")) << problems.front();
   options.map.resolution = 0.01;
   EXPECT_TRUE(problems_of(options, *test::five_bar(), "/node/").empty());
+}
+
+TEST(ProblemsOf, ARegionOrAWorkspaceThatNothingReachesIsRefused) {
+  NodeOptions options;
+  options.map.region = Box{2, {40.0, 40.0}, {50.0, 50.0}};
+  Problems problems = problems_of(options, *test::five_bar(), "/node/");
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_TRUE(mention(problems,
+                      "/node/map/region gives no map: The region lies outside of what the legs can "
+                      "reach, which is within x from -4 to 13 m and y from -13 to 13 m;"))
+      << problems.front();
+  Constraints constraints;
+  constraints.workspace = WorkspaceBox{{40.0, 40.0, 0.0}, {50.0, 50.0, 0.0}};
+  problems = problems_of(NodeOptions{}, *test::with(test::five_bar(), constraints), "/node/");
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_TRUE(mention(problems, "/node/constraints/workspace gives no map: The workspace that"))
+      << problems.front();
 }
 
 TEST(ProblemsOf, AStartPoseBeyondReachIsRefused) {
