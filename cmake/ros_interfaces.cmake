@@ -33,6 +33,7 @@ add_message_files(FILES
   Configuration.msg
   DistanceBounds.msg
   GuardState.msg
+  Jacobian.msg
   LargestShape.msg
   LastHazard.msg
   MapProgress.msg
@@ -52,6 +53,7 @@ add_service_files(FILES
   Connect.srv
   CheckTrajectory.srv
   GetCurrentAspect.srv
+  GetJacobian.srv
   GetMap.srv
   GetRegularWorkspace.srv
   GetSingularityDistance.srv

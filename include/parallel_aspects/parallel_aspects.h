@@ -18,6 +18,7 @@ namespace parallel_aspects {}
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
 #include "parallel_aspects/ask/inverse_direct.h"
+#include "parallel_aspects/ask/jacobian.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"

@@ -167,6 +167,12 @@ py::object DictWriter::object_of_value(const std::vector<int>& values) const {
   return py::tuple(py::cast(values));
 }
 
+py::object DictWriter::object_of_value(const TaskMatrix& matrix) const {
+  std::vector<TaskVector> rows;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) rows.push_back(matrix.row(i).transpose());
+  return array_of(rows, rows.size());
+}
+
 py::object DictWriter::object_of_value(const std::vector<HeldCoordinate>& values) const {
   std::vector<double> numbers;
   for (const HeldCoordinate& each : values) numbers.push_back(each.value);

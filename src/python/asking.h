@@ -136,6 +136,7 @@ class DictWriter {
   pybind11::object object_of_value(const std::string& value) const { return pybind11::str(value); }
   pybind11::object object_of_value(const std::vector<int>& values) const;
   pybind11::object object_of_value(const TaskVector& values) const { return array_of(values); }
+  pybind11::object object_of_value(const TaskMatrix& matrix) const;
   pybind11::object object_of_value(ask::LegIndex leg) const {
     return pybind11::str(robot_.leg(leg.index).name);
   }

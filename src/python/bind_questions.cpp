@@ -4,6 +4,7 @@
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
 #include "parallel_aspects/ask/inverse_direct.h"
+#include "parallel_aspects/ask/jacobian.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/workspace.h"
 #include "parallel_aspects/distance/boundary_distances.h"
@@ -138,8 +139,12 @@ void bind_motion(py::module& module, RobotClass& robot, MapClass& map) {
   robot.def("choose", choose);
   robot.def("configurations", ask_robot<ask::InverseQuestion>);
   robot.def("direct", ask_robot<ask::DirectQuestion>);
+  robot.def("jacobian", ask_robot<ask::JacobianQuestion>);
   module.def("inverse_answer", fields_of<ask::InverseInMode>);
   module.def("direct_answer", fields_of<ask::DirectAnswer>);
+  module.def("jacobian_question", fields_of<ask::JacobianQuestion>);
+  module.def("jacobian_at", fields_of<ask::JacobianAt>);
+  module.def("jacobian_answer", fields_of<ask::JacobianAnswer>);
   bind_question<ask::PlanQuestion, ask::PlanAnswer>("plan", module, robot, map);
   bind_question<ask::ConnectQuestion, ask::ConnectAnswer>("connect", module, robot, map);
   bind_question<ask::DistanceQuestion, ask::DistancesInMode>("distance", module, robot, map);

@@ -104,8 +104,8 @@ Program aspects_program() {
           {setup_subcommand(), map_subcommand(), graph_subcommand(), connect_subcommand(), plan_subcommand(),
            check_subcommand(), choose_subcommand(), workspace_subcommand(), sweep_subcommand(),
            merge_subcommand(), chart_subcommand(), describe_subcommand(), distance_subcommand(),
-           inverse_subcommand(), direct_subcommand(), plot_subcommand(), robots_subcommand(),
-           uniqueness_subcommand()},
+           inverse_subcommand(), direct_subcommand(), jacobian_subcommand(), plot_subcommand(),
+           robots_subcommand(), uniqueness_subcommand()},
           footer};
 }
 

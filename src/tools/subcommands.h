@@ -90,6 +90,7 @@ Subcommand describe_subcommand();
 Subcommand distance_subcommand();
 Subcommand graph_subcommand();
 Subcommand inverse_subcommand();
+Subcommand jacobian_subcommand();
 Subcommand direct_subcommand();
 Subcommand plan_subcommand();
 Subcommand plot_subcommand();

@@ -5,6 +5,7 @@
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
 #include "parallel_aspects/ask/inverse_direct.h"
+#include "parallel_aspects/ask/jacobian.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/workspace.h"
 #include "tools/report/option_name.h"
@@ -65,6 +66,8 @@ TEST(DocumentedFields, AreThoseOfTheAnswers) {
   expect_documented<ask::InverseInMode>();
   expect_documented<ask::DirectAnswer>();
   expect_documented<ask::DirectSolution>();
+  expect_documented<ask::JacobianAnswer>();
+  expect_documented<ask::JacobianAt>();
   expect_documented<ask::LargestShapeAnswer>();
   expect_documented<ask::ShapeInAspect>();
 }

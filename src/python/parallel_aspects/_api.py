@@ -18,6 +18,7 @@ from ._results import (
     Configuration,
     DirectSolutions,
     Distances,
+    Jacobians,
     Path,
     Sweep,
     Workspace,
@@ -162,6 +163,16 @@ class Robot:
     def direct(self, joints: "np.typing.ArrayLike") -> DirectSolutions:
         """All poses that values of the actuated joints can hold, of shape (legs,), whatever the limits."""
         return DirectSolutions(len(self.coordinates), **self._core.direct({"joints": joints}, None))
+
+    def jacobian(
+        self,
+        pose: "Optional[np.typing.ArrayLike]" = None,
+        joints: "Optional[np.typing.ArrayLike]" = None,
+        mode: Optional[Mode] = None,
+    ) -> Jacobians:
+        """How the platform and the actuated joints move each other, as of `aspects jacobian`: at a pose of shape (k,) in
+        each working mode, or at joint values of shape (legs,) in each direct solution. Matrices have shape (legs, legs)."""
+        return Jacobians(**self._core.jacobian({"pose": pose, "joints": joints, "mode": mode}, None))
 
     def indices(self, poses: "np.typing.ArrayLike", mode: Mode) -> Tuple[np.ndarray, np.ndarray]:
         """The parallel index of each pose, of shape () or (n,), and the serial indices of the legs, (legs,) or (n, legs).
@@ -355,6 +366,7 @@ documented(Robot.check, _core.check_question())
 documented(Robot.check_joints, _core.check_question())
 documented(Robot.choose, _core.choose_question())
 documented(Robot.distance, _core.distance_question())
+documented(Robot.jacobian, _core.jacobian_question())
 documented(Robot.workspace, _core.workspace_question())
 
 

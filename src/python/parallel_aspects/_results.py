@@ -78,6 +78,23 @@ def distances_of(answer: Dict[str, Any], mode: Any) -> "Union[Distances, Tuple[D
     return found if mode is None else found[0]
 
 
+class Jacobian(SimpleNamespace):
+    """The matrices of one configuration."""
+
+
+documented(Jacobian, _core.jacobian_at())
+
+
+class Jacobians(SimpleNamespace):
+    """How the platform and the actuated joints move each other; each of `configurations` is a `Jacobian`."""
+
+    def __init__(self, configurations: Sequence[Dict[str, Any]], **fields: Any) -> None:
+        super().__init__(configurations=tuple(Jacobian(**each) for each in configurations), **fields)
+
+
+documented(Jacobians, _core.jacobian_answer())
+
+
 class Check(SimpleNamespace):
     """What is proved of a trajectory.
 

@@ -4,6 +4,7 @@
 #include "model/linear_algebra.h"
 #include "model/spherical_links.h"
 #include "model/task_space_traits.h"
+#include "parallel_aspects/ask/jacobian.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/motion/motion_guard.h"
 #include "ros/messages/hazard_messages.h"
@@ -15,6 +16,8 @@
 
 namespace parallel_aspects {
 namespace {
+
+static_assert(static_cast<std::uint8_t>(ask::JacobianStatus::both) == Jacobian::BOTH);
 
 int sign_of(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
 
@@ -30,6 +33,10 @@ std_msgs::Header header_in_base(const Manipulator& manipulator, const ros::Time&
 template <typename Vector>
 std::vector<double> to_vector(const Vector& values) {
   return {values.data(), values.data() + values.size()};
+}
+
+std::vector<double> by_rows(const std::optional<TaskMatrix>& matrix) {
+  return matrix ? to_vector(TaskMatrix(matrix->transpose())) : std::vector<double>();
 }
 
 void locate(const AspectMap& map, const Pose& pose, const WorkingMode& mode, SolvedConfiguration& message) {
@@ -328,6 +335,31 @@ SingularityReport report_message(const Manipulator& manipulator, const SolvedPos
   message.smallest_singular_value = indices.smallest_singular_value;
   message.inverse_condition_number = indices.inverse_condition_number;
   message.leg_angles = leg_angles(manipulator, solved);
+  return message;
+}
+
+Jacobian jacobian_message(const Manipulator& manipulator, const SolvedPose& solved, const AspectMap* map,
+                          const ros::Time& stamp) {
+  const ask::JacobianAt at = ask::jacobian_at(manipulator, solved.pose, solved.q);
+  const ask::JacobianAnswer units = ask::jacobian_units(manipulator);
+  Jacobian message;
+  message.configuration = solved_message(manipulator, solved, map, stamp);
+  message.task_frame = pose_message(manipulator.task_frame());
+  message.status = static_cast<std::uint8_t>(at.status);
+  message.reason = at.reason;
+  message.twist = units.twist;
+  message.twist_units = units.twist_units;
+  message.wrench = units.wrench;
+  message.wrench_units = units.wrench_units;
+  message.rate_units = units.rate_units;
+  message.effort_units = units.effort_units;
+  message.a = by_rows(at.a);
+  message.b_jj = to_vector(at.b.value());
+  message.jacobian = by_rows(at.jacobian);
+  message.inverse_jacobian = by_rows(at.inverse_jacobian);
+  message.force_transmission = by_rows(at.force_transmission);
+  if (at.singular_values) message.singular_values = to_vector(*at.singular_values);
+  message.condition_number = at.condition_number.value_or(not_a_number);
   return message;
 }
 

@@ -13,6 +13,7 @@
 #include <parallel_aspects/AspectSummary.h>
 #include <parallel_aspects/AspectTransition.h>
 #include <parallel_aspects/AssemblyCandidates.h>
+#include <parallel_aspects/Jacobian.h>
 #include <parallel_aspects/MetricDistance.h>
 #include <parallel_aspects/SingularityReport.h>
 #include <parallel_aspects/SolvedConfiguration.h>
@@ -84,6 +85,9 @@ MetricDistance distance_message(const Manipulator& manipulator, const SolvedPose
 SingularityReport report_message(const Manipulator& manipulator, const SolvedPose& solved,
                                  const BoundaryDistances& distances, const AspectMap* map,
                                  const ros::Time& stamp);
+
+Jacobian jacobian_message(const Manipulator& manipulator, const SolvedPose& solved, const AspectMap* map,
+                          const ros::Time& stamp);
 
 /// State of a robot that is being tracked.
 AspectState state_message(const Manipulator& manipulator, const TrackedState& state, const ros::Time& stamp);

@@ -155,6 +155,16 @@ GetSingularityDistance::Response Queries::answer(const GetSingularityDistance::R
   return response;
 }
 
+GetJacobian::Response Queries::answer(const GetJacobian::Request& request) const {
+  const auto map = worker_.map();
+  const ConfigurationAnswer found = resolve(request.configuration);
+  GetJacobian::Response response;
+  response.status = found.status;
+  for (const SolvedPose& solved : found.configurations)
+    response.jacobians.push_back(jacobian_message(*manipulator_, solved, map.get(), found.stamp));
+  return response;
+}
+
 ListAspects::Response Queries::answer(const ListAspects::Request& request) const {
   const KnownAspects known = worker_.known();
   ListAspects::Response response;

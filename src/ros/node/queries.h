@@ -11,6 +11,7 @@
 
 #include <parallel_aspects/Configuration.h>
 #include <parallel_aspects/GetCurrentAspect.h>
+#include <parallel_aspects/GetJacobian.h>
 #include <parallel_aspects/GetSingularityDistance.h>
 #include <parallel_aspects/GetWorkingMode.h>
 #include <parallel_aspects/ListAspects.h>
@@ -34,6 +35,7 @@ class Queries {
   GetWorkingMode::Response answer(const GetWorkingMode::Request& request) const;
   GetCurrentAspect::Response answer(const GetCurrentAspect::Request& request) const;
   GetSingularityDistance::Response answer(const GetSingularityDistance::Request& request) const;
+  GetJacobian::Response answer(const GetJacobian::Request& request) const;
   ListAspects::Response answer(const ListAspects::Request& request) const;
   SetAssemblyMode::Response answer(const SetAssemblyMode::Request& request) const;
 

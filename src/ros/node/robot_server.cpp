@@ -118,6 +118,7 @@ void RobotServer::advertise() {
   serve<GetWorkingMode>("get_working_mode", queries_);
   serve<GetCurrentAspect>("get_current_aspect", queries_);
   serve<GetSingularityDistance>("get_singularity_distance", queries_);
+  serve<GetJacobian>("get_jacobian", queries_);
   serve<ListAspects>("list_aspects", queries_);
   serve<GetMap>("get_map", maps_);
   serve<GetRegularWorkspace>("get_regular_workspace", workspaces_);

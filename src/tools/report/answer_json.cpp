@@ -18,6 +18,12 @@ json JsonWriter::json_of(double value) const { return json_number(value); }
 
 json JsonWriter::json_of(const TaskVector& values) const { return json_numbers(values); }
 
+json JsonWriter::json_of(const TaskMatrix& matrix) const {
+  json rows = json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) rows.push_back(json_numbers(matrix.row(i).transpose()));
+  return rows;
+}
+
 json JsonWriter::json_of(const std::vector<HeldCoordinate>& values) const {
   json object = json::object();
   for (const HeldCoordinate& each : values) object[each.name] = json_of(each.value);

@@ -68,6 +68,7 @@ class JsonWriter {
   nlohmann::json json_of(const std::string& value) const { return value; }
   nlohmann::json json_of(int value) const { return value; }
   nlohmann::json json_of(const TaskVector& values) const;
+  nlohmann::json json_of(const TaskMatrix& matrix) const;  ///< its rows
   /// Objects by name.
   nlohmann::json json_of(const std::vector<HeldCoordinate>& values) const;
   nlohmann::json json_of(const std::vector<ask::NamedRange>& ranges) const;  ///< "lower" and "upper" of all

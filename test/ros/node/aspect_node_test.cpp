@@ -10,6 +10,7 @@
 #include <parallel_aspects/AspectTransition.h>
 #include <parallel_aspects/ComputeMapAction.h>
 #include <parallel_aspects/GetCurrentAspect.h>
+#include <parallel_aspects/GetJacobian.h>
 #include <parallel_aspects/GetSingularityDistance.h>
 #include <parallel_aspects/GetWorkingMode.h>
 #include <parallel_aspects/ListAspects.h>
@@ -122,6 +123,10 @@ TEST_F(AspectNode, AnswersAboutAPoseInEveryWorkingMode) {
   ASSERT_EQ(distance.reports[0].leg_angles.size(), 2U);
   EXPECT_GT(distance.reports[0].leg_angles[0], 0.0);
   EXPECT_LE(distance.reports[0].leg_angles[0], EIGEN_PI / 2);
+  const auto jacobian = ask<GetJacobian>("get_jacobian", at_pose(4.5, 8.0, "", {1, 1}));
+  ASSERT_EQ(jacobian.jacobians.size(), 1U);
+  EXPECT_EQ(jacobian.jacobians[0].status, Jacobian::REGULAR);
+  EXPECT_EQ(jacobian.jacobians[0].jacobian.size(), 4U);
 
   // Distances of the paper's five-bar by brute force.
   Configuration joint_values;

@@ -13,6 +13,7 @@
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/ComputeMapAction.h>
 #include <parallel_aspects/GetCurrentAspect.h>
+#include <parallel_aspects/GetJacobian.h>
 #include <parallel_aspects/GetSingularityDistance.h>
 #include <parallel_aspects/GetWorkingMode.h>
 #include <parallel_aspects/ListAspects.h>
@@ -168,6 +169,16 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
            {&report.parallel_distance, &report.serial_distance, &report.limit_distance})
         require(!(distance->lower > distance->upper * (1.0 + 1e-9) + 1e-12),
                 "a lower bound above the upper one");
+    }
+  }
+
+  void check(const GetJacobian::Response& response) {
+    require(response.status.code != Status::OK || !response.jacobians.empty(), "OK without a Jacobian");
+    for (const Jacobian& each : response.jacobians) {
+      check(each.configuration);
+      require((each.status == Jacobian::REGULAR) == each.reason.empty(), "a singularity without a reason");
+      for (const auto* matrix : {&each.a, &each.jacobian, &each.inverse_jacobian, &each.force_transmission})
+        for (const double entry : *matrix) require(std::isfinite(entry), "a matrix that is not finite");
     }
   }
 
@@ -350,7 +361,7 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
       default:
         break;
     }
-    switch (random_->pick(6)) {
+    switch (random_->pick(7)) {
       case 0:
         return question<GetWorkingMode>("get_working_mode");
       case 1:
@@ -361,6 +372,8 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
         return question<ListAspects>("list_aspects");
       case 4:
         return question<SetAssemblyMode>("set_assembly_mode");
+      case 5:
+        return question<GetJacobian>("get_jacobian");
       default:
         return publish<sensor_msgs::JointState>(joints_to_actuate_);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/plan/plan_question.h"
 
+#include "parallel_aspects/ask/jacobian.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "ros/messages/conversions.h"
 
@@ -121,6 +122,35 @@ TEST(FieldsOfAnswer, HaveTheirTwinInTheMessage) {
   // Those of the goal and of the node's map; `reason` names another start.
   const std::vector<std::string> others{"policy", "prefer", "slice", "around_cusp", "other_start", "loaded"};
   EXPECT_EQ(fields.missing(), others);
+}
+
+TEST(FieldsOfJacobian, HaveTheirTwinInTheMessage) {
+  FieldsOfMessages fields(ros::message_traits::Definition<Jacobian>::value());
+  describe(fields, ask::JacobianAnswer());
+  describe(fields, ask::JacobianAt());
+  // A SolvedConfiguration has joint_names and joint_positions, and tells what is beyond limits by its status.
+  const std::vector<std::string> others{"task_space", "direct_status", "actuated_joints", "configurations",
+                                        "within_limits"};
+  EXPECT_EQ(fields.missing(), others);
+}
+
+TEST(JacobianMessage, IsRowByRow) {
+  const auto robot = test::shipped("three_rpr")->manipulator();
+  const AssembledConfiguration home = test::shipped("three_rpr")->home();
+  const ask::JacobianAt at = ask::jacobian_at(*robot, home.pose, home.q);
+  const Jacobian message = jacobian_message(*robot, {home.pose, home.q}, nullptr, ros::Time());
+  EXPECT_EQ(message.status, Jacobian::REGULAR);
+  EXPECT_EQ(message.twist, (std::vector<std::string>{"wz", "vx", "vy"}));
+  ASSERT_EQ(message.jacobian.size(), 9U);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const auto k = static_cast<std::size_t>(3 * i + j);
+      EXPECT_EQ(message.a.at(k), at.a.value()(i, j));
+      EXPECT_EQ(message.jacobian.at(k), at.jacobian.value()(i, j));
+      EXPECT_EQ(message.inverse_jacobian.at(k), at.inverse_jacobian.value()(i, j));
+      EXPECT_EQ(message.force_transmission.at(k), at.inverse_jacobian.value()(j, i));
+    }
+  EXPECT_EQ(message.condition_number, at.condition_number.value());
 }
 
 }  // namespace
