@@ -64,10 +64,11 @@ void ParameterReader::read(const std::string& key, double& value) {
   if (const auto read_value = number(raw))
     value = *read_value;
   else
-    report(key, raw.getType() == XmlRpcValue::TypeString
-                    ? "a number, without quotes and with a dot before an exponent, as 1.0e-3 (.inf where "
-                      "it is infinite)"
-                    : "a number");
+    report(key,
+           raw.getType() == XmlRpcValue::TypeString
+               ? "a number, without quotes, and where it has an exponent with a dot and a sign, as 1.0e-3 "
+                 "or 1.0e+3 (.inf where it is infinite)"
+               : "a number");
 }
 
 void ParameterReader::read(const std::string& key, std::string& value) {

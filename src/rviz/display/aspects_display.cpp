@@ -112,6 +112,7 @@ void AspectsDisplay::stop() {
   link_.reset();
   thread_.reset();
   forget_picture();
+  robot_.reset();
   map_.reset();
   present_.reset();
   candidates_.clear();
@@ -156,7 +157,7 @@ void AspectsDisplay::update(float wall_dt, float) {
     ask_for_volume(result);
     ask_for_picture();
   }
-  if (map_) place();
+  if (robot_) place();
 }
 
 void AspectsDisplay::take_news() {
@@ -173,13 +174,13 @@ void AspectsDisplay::take_news() {
   }
 }
 
-// What is known of the robot stands beside the map that is drawn.
+// Candidates are drawn before there is a map, too.
 void AspectsDisplay::take_state() {
   present_.reset();
   candidates_.clear();
   candidate_ids_.clear();
-  if (!map_ || !news_.state) return;
-  const Manipulator& robot = *map_->map->manipulator();
+  if (!robot_ || !news_.state) return;
+  const Manipulator& robot = robot_->manipulator();
   if (news_.state->status.code == Status::OK) {
     present_ = pose_from_base(robot, news_.state->pose);
     if (const auto mode = mode_of(news_.state->working_mode)) mode_ = mode;
@@ -192,7 +193,7 @@ void AspectsDisplay::take_state() {
     const auto mode = mode_of(each.working_mode);
     if (!pose || !mode) continue;
     candidates_.push_back({*pose, *mode, i});
-    const int aspect = map_->locate(*pose, *mode);
+    const int aspect = map_ ? map_->locate(*pose, *mode) : 0;
     if (aspect != 0) candidate_ids_.insert(aspect);
   }
 }
@@ -234,6 +235,7 @@ void AspectsDisplay::ask_for_volume(const PictureThread::Result& result) {
 }
 
 void AspectsDisplay::take_picture(const PictureThread::Result& result) {
+  robot_ = result.robot;
   if (result.robots != robots_) {
     robots_ = result.robots;
     volume_at_.reset();
@@ -272,12 +274,12 @@ PictureChoice AspectsDisplay::choice() const {
   choice.candidates = candidate_ids_;
   std::vector<Pose> poses;
   for (const PresentPoints::Configuration& each : candidates_) poses.push_back(each.pose);
-  choice.names = candidate_places(*map_->map->manipulator(), poses, map_->scene.radius);
+  choice.names = candidate_places(robot_->manipulator(), poses, robot_->scene.radius);
   choice.joint_space = joint_space_->getBool();
   choice.gallery = gallery_->getBool();
-  choice.robot = map_->scene.robot;
-  choice.reach = map_->scene.reach;
-  choice.seen = seen_height(map_->scene);
+  choice.robot = robot_->scene.robot;
+  choice.reach = robot_->scene.reach;
+  choice.seen = seen_height(robot_->scene);
   choice.section = static_cast<Section>(section_->getOptionInt());
   choice.axis = static_cast<std::size_t>(axis_->getOptionInt());
   choice.offset = offset_->getFloat();
@@ -317,37 +319,39 @@ void AspectsDisplay::ask_for_picture() {
 
 // Where the base of the robot is, and in it the picture.
 void AspectsDisplay::place() {
+  const Manipulator& robot = robot_->manipulator();
   Ogre::Vector3 position;
   Ogre::Quaternion orientation;
-  if (!context_->getFrameManager()->getTransform(map_->base_frame, ros::Time(), position, orientation)) {
+  if (!context_->getFrameManager()->getTransform(robot_->base_frame, ros::Time(), position, orientation)) {
     setStatus(Level::Error, "Frame",
-              text("No transform from " + map_->base_frame + " to " + fixed_frame_.toStdString() + "."));
+              text("No transform from " + robot_->base_frame + " to " + fixed_frame_.toStdString() + "."));
     return;
   }
   deleteStatus("Frame");
-  const Manipulator& robot = *map_->map->manipulator();
   const Eigen::Isometry3d& task = robot.task_frame();
   placement_ = placement(robot, present_, picture_ ? picture_->radian : 1.0);
   scene_node_->setPosition(position + orientation * ogre_vector(task.translation()));
   scene_node_->setOrientation(orientation * ogre_rotation(task.linear()));
   if (drawn_) drawn_->set_placement(ogre_vector(placement_));
-  if (picture_) return place_robot(robot);
-  points_.clear();
-  mark_.clear();
+  place_robot();
 }
 
-// Its points, and the way from it to the nearest singularity.
-void AspectsDisplay::place_robot(const Manipulator& robot) {
+// Its points in the picture, and the way from it to the nearest singularity.
+void AspectsDisplay::place_robot() {
+  const Manipulator& robot = robot_->manipulator();
+  const PresentPoints::Place place{scene_manager_, scene_node_};
   auto shown = candidates_;
   if (present_ && mode_) shown = {{*present_, *mode_}};
-  points_.show(*picture_, robot, placement_, shown, {scene_manager_, scene_node_});
   // A window can show a model of the robot, but not of all that it may be.
-  points_.show_skeletons(robot, map_->scene.radius,
-                         map_->has_visuals && present_ ? PresentPoints::Configurations() : shown,
-                         {scene_manager_, scene_node_});
+  points_.show_skeletons(robot, robot_->scene.radius,
+                         robot_->has_visuals && present_ ? PresentPoints::Configurations() : shown, place);
+  if (!picture_) {
+    points_.clear_dots();
+    return mark_.clear();
+  }
+  points_.show(*picture_, robot, placement_, shown, place);
   if (present_ && mode_ && nearest_->getBool())
-    mark_.show(*picture_, map_->map->manipulator(), placement_, {*present_, *mode_},
-               {scene_manager_, scene_node_});
+    mark_.show(*picture_, map_->map->manipulator(), placement_, {*present_, *mode_}, place);
   else
     mark_.clear();
   if (drawn_) drawn_->set_head(where_ + (mark_.words().empty() ? "" : "\n" + mark_.words()));

@@ -48,7 +48,7 @@ class AspectsDisplay : public rviz::Display {
   void stop();
   void forget_picture();
   void place();
-  void place_robot(const Manipulator& robot);
+  void place_robot();
   void take_news();
   void take_state();
   void tell(const PictureThread::Result& result);
@@ -74,7 +74,8 @@ class AspectsDisplay : public rviz::Display {
   SingularityMark mark_;
   std::string where_;  // the robot is, in words
   NodeLink::News news_;
-  std::shared_ptr<const ReceivedMap> map_;
+  std::shared_ptr<const ReceivedRobot> robot_;  // that is drawn
+  std::shared_ptr<const ReceivedMap> map_;      // of it
   std::shared_ptr<const SurfacePicture> picture_;
   std::optional<Pose> present_;               // while it is known
   std::optional<WorkingMode> mode_;           // the last that was known

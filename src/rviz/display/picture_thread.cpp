@@ -20,10 +20,12 @@ namespace {
 
 constexpr double volume_resolution = 0.04;  // of the robot's size: of maps that follow it
 
-Scene drawn_scene(const Mechanism& mechanism, const RobotVisuals& visuals) {
+ReceivedRobot robot_of(const GetMap::Response& response) {
+  const SharedMechanism mechanism = mechanism_of(response);
+  const RobotVisuals visuals(mechanism, response.urdf, 1.0);
   NodeOptions options;
-  options.display.radius = ball_radius * mechanism.manipulator()->size();
-  return scene_of(mechanism, options, visuals.still());
+  options.display.radius = ball_radius * mechanism->manipulator()->size();
+  return {mechanism, response.base_frame, scene_of(*mechanism, options, visuals.still()), !visuals.empty()};
 }
 
 double seconds_since(const ros::SteadyTime& start) { return (ros::SteadyTime::now() - start).toSec(); }
@@ -140,26 +142,31 @@ void PictureThread::carry_out_fetch() {
 // Another robot than before takes what was drawn of it with it.
 void PictureThread::take_robot(const GetMap::Response& response) {
   const std::size_t texts = std::hash<std::string>()(response.urdf + '\n' + response.description);
-  if (mechanism_ && texts == texts_) return;
-  mechanism_ = mechanism_of(response);
-  const RobotVisuals visuals(*mechanism_, response.urdf, 1.0);
-  has_visuals_ = !visuals.empty();
-  scene_ = drawn_scene(**mechanism_, visuals);
+  if (robot_ && texts == texts_) return;
+  robot_.reset();
+  forget_robot(response.task_space == "SE3");
+  robot_ = std::make_shared<const ReceivedRobot>(robot_of(response));
   const std::lock_guard<std::mutex> lock(mutex_);
   if (texts_ != 0) ++result_.robots;
   texts_ = texts;
+  result_.robot = robot_;
+}
+
+void PictureThread::forget_robot(bool next_has_volumes) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  result_.robot.reset();
   result_.map.reset();
   result_.picture.reset();
   result_.problem.clear();
-  result_.has_volumes = response.task_space == "SE3";
+  result_.has_volumes = next_has_volumes;
   next_volume_.reset();
 }
 
 void PictureThread::take(const GetMap::Response& response, double seconds) {
-  const MapResult read = map_of(response, **mechanism_);
+  const MapResult read = map_of(response, *robot_->mechanism);
   if (!read.map) return fail(read.message);
   auto received = std::make_shared<ReceivedMap>();
-  *received = {read.map, response.base_frame, response.revision, response.map.size(), scene_, has_visuals_};
+  *received = {read.map, response.revision, response.map.size()};
   const std::lock_guard<std::mutex> lock(mutex_);
   result_.map = std::move(received);
   result_.problem.clear();
@@ -168,9 +175,9 @@ void PictureThread::take(const GetMap::Response& response, double seconds) {
 }
 
 void PictureThread::carry_out_volume(const Volume& volume) {
-  if (!mechanism_) return;
+  if (!robot_) return;
   const ros::SteadyTime start = ros::SteadyTime::now();
-  const auto robot = (*mechanism_)->mapped_manipulator();
+  const auto robot = robot_->mechanism->mapped_manipulator();
   MapOptions options;
   options.slice.emplace();
   options.slice->moves = {true, true, true};
@@ -183,7 +190,7 @@ void PictureThread::carry_out_volume(const Volume& volume) {
   if (computed.status == MapStatus::cancelled) return;
   if (!computed.map) return fail(computed.message);
   auto received = std::make_shared<ReceivedMap>();
-  *received = {computed.map, robot->base_frame(), "", 0, scene_, has_visuals_};
+  *received = {computed.map, "", 0};
   const std::lock_guard<std::mutex> lock(mutex_);
   result_.map = std::move(received);
   result_.problem.clear();

@@ -23,13 +23,21 @@
 
 namespace parallel_aspects {
 
-/// A map as it was received, with the robot that it is of.
+/// A robot as it was received, which comes before its map.
+struct ReceivedRobot {
+  SharedMechanism mechanism;
+  std::string base_frame;   ///< of tf
+  Scene scene{};            ///< what the robot takes and reaches
+  bool has_visuals = true;  ///< whether rviz can show it by its URDF
+
+  const Manipulator& manipulator() const { return *mechanism->manipulator(); }
+};
+
+/// A map as it was received.
 struct ReceivedMap {
   std::shared_ptr<const AspectMap> map;
-  std::string base_frame, revision;
-  std::size_t bytes = 0;    ///< of the map; 0 for one that was computed here
-  Scene scene{};            ///< what the robot takes and reaches
-  bool has_visuals = true;  ///< whether rviz can show the robot by its URDF
+  std::string revision;
+  std::size_t bytes = 0;  ///< of the map; 0 for one that was computed here
 
   /// Id of the aspect that holds a pose; 0 where none does, or the map cannot tell. In a map that was
   /// computed here, of its position at the orientation of the map.
@@ -40,7 +48,8 @@ struct ReceivedMap {
 class PictureThread {
  public:
   struct Result {
-    std::shared_ptr<const ReceivedMap> map;  ///< the latest; null before the first, and where there is none
+    std::shared_ptr<const ReceivedRobot> robot;  ///< null before the first, and where it cannot be loaded
+    std::shared_ptr<const ReceivedMap> map;  ///< its latest; null before the first, and where there is none
     std::string problem;                     ///< why there is none; empty otherwise
     bool has_volumes = false;  ///< of six degrees of freedom: maps are of positions at one orientation
     std::uint64_t robots = 0;  ///< counts the robots that were not the one before
@@ -82,6 +91,7 @@ class PictureThread {
   void run();
   void carry_out_volume(const Volume& volume);
   void take_robot(const GetMap::Response& response);
+  void forget_robot(bool next_has_volumes);
   void carry_out_fetch();
   void carry_out_draw(const Request& request);
   void take(const GetMap::Response& response, double seconds);
@@ -97,10 +107,8 @@ class PictureThread {
   std::atomic<bool> cancelled_{false};
   ros::ServiceClient client_;
   Result result_;
-  std::size_t texts_ = 0;                     // that the robot was loaded from, hashed
-  std::optional<SharedMechanism> mechanism_;  // of the robot that was received last
-  bool has_visuals_ = true;                   // likewise
-  Scene scene_;                               // likewise
+  std::size_t texts_ = 0;                       // that the robot was loaded from, hashed
+  std::shared_ptr<const ReceivedRobot> robot_;  // as in the result, for the thread alone
   std::unique_ptr<SurfaceStore> store_;
   std::thread thread_;
 };

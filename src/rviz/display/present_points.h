@@ -40,8 +40,10 @@ class PresentPoints {
   void show_skeletons(const Manipulator& robot, double radius, const Configurations& configurations,
                       const Place& place);
 
+  void clear_dots() { points_.clear(); }
+
   void clear() {
-    points_.clear();
+    clear_dots();
     skeletons_.clear();
     names_.clear();
     named_.clear();

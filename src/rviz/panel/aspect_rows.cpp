@@ -40,19 +40,26 @@ std::string tip_of(const AspectSummary& aspect) {
   return tip + ".";
 }
 
+// So that all columns fit, where the tip has more digits; without an exponent below a million.
+std::string short_text(double size) {
+  int digits = 3;
+  for (double limit = 1e3; digits < 6 && size >= limit; limit *= 10.0) ++digits;
+  return number_text(size, digits);
+}
+
 AspectRow row_of(const AspectSummary& aspect, const NodeView& view) {
   AspectRow row;
   row.id = aspect.id;
   row.name = std::to_string(aspect.id) + (aspect.unresolved_with.empty() ? "" : " ?");
   row.sign = sign_text(aspect.determinant_sign);
-  row.size = number_text(aspect.measure, digits_of_measure);
-  row.clearance = number_text(aspect.deepest_clearance, 3);
+  row.size = short_text(aspect.measure);
+  row.clearance = number_text(aspect.deepest_clearance, 2);
   row.tip = tip_of(aspect);
   const AspectState* const state = followed(view);
   row.present = state && state->aspect == aspect.id;
   if (!view.deepest_index) return row;
   const auto index = view.deepest_index->find(aspect.id);
-  if (index != view.deepest_index->end()) row.index = number_text(index->second, 3);
+  if (index != view.deepest_index->end()) row.index = number_text(index->second, 2);
   return row;
 }
 

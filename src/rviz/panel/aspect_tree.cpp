@@ -28,6 +28,13 @@ std::vector<std::vector<std::uint32_t>> ids_of(const std::vector<ModeRows>& mode
   return ids;
 }
 
+bool is_empty(const std::vector<ModeRows>& modes, std::string AspectRow::*column) {
+  for (const ModeRows& mode : modes)
+    for (const AspectRow& row : mode.aspects)
+      if (!(row.*column).empty()) return false;
+  return true;
+}
+
 }  // namespace
 
 AspectTree::AspectTree(OnShown on_shown, QWidget* parent)
@@ -55,8 +62,10 @@ AspectTree::AspectTree(OnShown on_shown, QWidget* parent)
 
 void AspectTree::show_rows(const std::vector<ModeRows>& modes, const std::string& unit) {
   filling_ = true;
-  headerItem()->setText(size_column,
-                        unit.empty() ? QString("size") : QString::fromStdString("size [" + unit + "]"));
+  headerItem()->setText(size_column,  // in two lines, so that all columns fit
+                        unit.empty() ? QString("size") : QString::fromStdString("size\n[" + unit + "]"));
+  setColumnHidden(clearance_column, is_empty(modes, &AspectRow::clearance));
+  setColumnHidden(index_column, is_empty(modes, &AspectRow::index));
   if (ids_ != ids_of(modes)) make_items(modes);
   QTreeWidgetItem* present = nullptr;
   for (std::size_t i = 0; i < modes.size(); ++i) {

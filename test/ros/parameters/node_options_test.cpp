@@ -147,7 +147,7 @@ TEST(OptionsFrom, SaysHowNumbersWithExponentsAreWritten) {
   parameters["map"]["resolution"] = "1e-3";
   Problems problems;
   options_from(parameters, "/node/", problems);
-  EXPECT_TRUE(mention(problems, "without quotes and with a dot before an exponent, as 1.0e-3"));
+  EXPECT_TRUE(mention(problems, "where it has an exponent with a dot and a sign, as 1.0e-3 or 1.0e+3"));
 }
 
 TEST(ProblemsOf, NamesEveryValueOutOfRangeAtOnce) {

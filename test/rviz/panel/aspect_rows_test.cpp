@@ -51,9 +51,9 @@ TEST(AspectRows, AreGroupedByWorkingMode) {
   EXPECT_EQ(modes[0].mode, "(+,+)");
   ASSERT_EQ(modes[0].aspects.size(), 2U);
   EXPECT_EQ(modes[0].aspects[0].name, "1");
-  EXPECT_EQ(modes[0].aspects[0].size, "193.62");
+  EXPECT_EQ(modes[0].aspects[0].size, "194");
   EXPECT_EQ(unit_of(view_of_three()), "m\u00B2");
-  EXPECT_EQ(modes[0].aspects[0].clearance, "1.23");
+  EXPECT_EQ(modes[0].aspects[0].clearance, "1.2");
   EXPECT_EQ(modes[0].aspects[0].sign, "> 0");
   EXPECT_EQ(modes[0].aspects[1].sign, "< 0");
   EXPECT_EQ(modes[0].aspects[1].name, "2 ?");
@@ -76,7 +76,7 @@ TEST(AspectRows, HaveIndicesWhereTheseAreKnown) {
   view.deepest_index =
       std::make_shared<const std::map<std::uint32_t, double>>(std::map<std::uint32_t, double>{{3, 0.87654}});
   const auto modes = rows_of(view);
-  EXPECT_EQ(modes[1].aspects[0].index, "0.877");
+  EXPECT_EQ(modes[1].aspects[0].index, "0.88");
   EXPECT_EQ(modes[0].aspects[0].index, "");
 }
 

@@ -56,6 +56,20 @@ TEST(AspectTree, GoesToThePresentAspectWhenItChangesAndNotElse) {
   EXPECT_FALSE(is_seen(tree, 31));
 }
 
+// So that the others fit, as with the components of a roadmap.
+TEST(AspectTree, HidesColumnsWithoutValues) {
+  std::vector<ModeRows> modes = sixty_rows(1);
+  AspectTree tree([](const auto&) {});
+  tree.show_rows(modes, "");
+  EXPECT_TRUE(tree.isColumnHidden(3));
+  EXPECT_TRUE(tree.isColumnHidden(4));
+  modes.back().aspects.back().clearance = "0.0089";
+  modes.front().aspects.front().index = "0.081";
+  tree.show_rows(modes, "m^2");
+  EXPECT_FALSE(tree.isColumnHidden(3));
+  EXPECT_FALSE(tree.isColumnHidden(4));
+}
+
 TEST(AspectTree, ABoxOfAModeTicksItsAspects) {
   std::set<std::uint32_t> shown;
   AspectTree tree([&shown](const std::set<std::uint32_t>& ids) { shown = ids; });
