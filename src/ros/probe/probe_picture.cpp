@@ -7,6 +7,7 @@
 #include "ros/pictures/picture_parts.h"
 #include "ros/pictures/scene.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace parallel_aspects {
@@ -149,16 +150,20 @@ void ProbePicture::draw_wanted(const ProbeFinding& finding, Markers& markers) co
   if (!lines.points.empty()) markers.push_back(std::move(lines));
 }
 
-// On the other side of the robot than its own caption.
+// On the other side of the robot than its own caption; of planar robots as large as all lines have room.
 void ProbePicture::draw_words(const ProbeFinding& finding, Markers& markers) const {
-  const Caption caption = caption_of(scene_, words_of(robot_, finding));
+  Caption caption = caption_of(scene_, words_of(robot_, finding));
   const double room = 2.0 * Caption::line_pitch * caption.text_height;
   Vector3d at = scene_.robot.center();
-  const double top = 0.5 * words_room / (1.0 + words_room) * scene_.robot.sizes().y();
-  if (scene_.planar)
-    at = {at.x(), scene_.robot.max().y() - top, above * robot_.size()};
-  else
+  if (scene_.planar) {
+    const double height = words_room / (1.0 + words_room) * scene_.robot.sizes().y();
+    const auto lines = 1 + std::count(caption.words.begin(), caption.words.end(), '\n');
+    caption.text_height =
+        std::min(caption.text_height, height / (Caption::line_pitch * static_cast<double>(lines)));
+    at = {at.x(), scene_.robot.max().y() - 0.5 * height, above * robot_.size()};
+  } else {
     at = {at.x(), scene_.robot.min().y(), scene_.robot.min().z() - room};  // before it, as it is seen
+  }
   Marker text = marker("probe/words", Marker::TEXT_VIEW_FACING, ink());
   text.pose = pose_message(robot_.task_frame() * Eigen::Translation3d(at));
   text.scale.z = caption.text_height;

@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/messages/conversions.h"
+#include "ros/pictures/scene.h"
 #include "ros/probe/probe_handle.h"
 
 #include <gtest/gtest.h>
@@ -114,6 +115,25 @@ TEST_P(PictureOf, HasRobotSingularityAndWordsAndTakesAwayWhatIsNoMore) {
     if (marker.action == Marker::DELETE) gone.insert(marker.ns);
   for (const auto& [name, count] : all) EXPECT_EQ(gone.count(name) + drawn(fewer).count(name), 1U) << name;
   EXPECT_TRUE(drawn(picture.none()).empty());
+}
+
+// Above all that a planar robot reaches, also where there are as many lines as there can be.
+TEST_P(PictureOf, WordsLieBesideAPlanarRobot) {
+  const Scene scene =
+      scene_of(*mechanism_, NodeOptions(), RobotVisuals(mechanism_, urdf_of(GetParam()), 1.0).still());
+  if (!scene.planar) GTEST_SKIP();
+  ProbePicture picture(mechanism_, urdf_of(GetParam()), NodeOptions());
+  ProbeFinding found = ProbeSolver(mechanism_->manipulator()).find(question_, {}, ros::Time(1.0));
+  found.section = PoseSlice::through(robot_.task_space(), start_.pose);
+  for (const Marker& marker : picture.of(found).markers) {
+    if (marker.ns != "probe/words" || marker.action != Marker::ADD) continue;
+    const auto lines = 1 + std::count(marker.text.begin(), marker.text.end(), '\n');
+    EXPECT_GE(lines, 3);
+    const double half = 0.5 * Caption::line_pitch * marker.scale.z * static_cast<double>(lines);
+    const double reach = scene.robot.min().y() + scene.robot.sizes().y() / (1.0 + words_room);
+    EXPECT_GE(marker.pose.position.y - half, reach - 1e-9);
+    EXPECT_LE(marker.pose.position.y + half, scene.robot.max().y() + 1e-9);
+  }
 }
 
 TEST_P(PictureOf, HandleHasAControlForEachDegreeOfFreedom) {
