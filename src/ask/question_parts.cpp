@@ -241,17 +241,17 @@ JointColumns::JointColumns(const Manipulator& robot, const std::vector<std::stri
                            Problems& problems)
     : what_(std::move(what)), count_(names.size()) {
   std::vector<std::string> actuated;
-  for (const Leg& leg : robot.legs()) {
-    actuated.push_back(leg.actuated_joint);
-    const auto found = std::find(names.begin(), names.end(), leg.actuated_joint);
-    columns_.push_back(static_cast<std::size_t>(found - names.begin()));
-    if (std::count(names.begin(), names.end(), leg.actuated_joint) != 1)
-      problems.push_back(what_ + " does not have the joint '" + leg.actuated_joint +
-                         "' once; name every actuated joint.");
-  }
+  for (const Leg& leg : robot.legs()) actuated.push_back(leg.actuated_joint);
+  // First, since a face may tell the first problem alone, and a joint that is misspelt is missing, too.
   for (const std::string& name : names)
     if (!contains(actuated, name))
       problems.push_back(what_ + " has the unknown joint '" + name + "'" + suggestion(name, actuated, {}));
+  for (const std::string& joint : actuated) {
+    const auto found = std::find(names.begin(), names.end(), joint);
+    columns_.push_back(static_cast<std::size_t>(found - names.begin()));
+    if (std::count(names.begin(), names.end(), joint) != 1)
+      problems.push_back(what_ + " does not have the joint '" + joint + "' once; name every actuated joint.");
+  }
 }
 
 JointVector JointColumns::ordered(const std::vector<double>& values, const std::string& where,

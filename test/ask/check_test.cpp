@@ -109,8 +109,12 @@ TEST(Check, ColumnsOfJointsAreByName) {
   problems.clear();
   JointColumns(*robot, {first, "gripper"}, "It", problems);
   ASSERT_EQ(problems.size(), 2U);
-  EXPECT_EQ(problems[0], "It does not have the joint '" + second + "' once; name every actuated joint.");
-  EXPECT_EQ(problems[1].rfind("It has the unknown joint 'gripper'; there are '", 0), 0U) << problems[1];
+  EXPECT_EQ(problems[0].rfind("It has the unknown joint 'gripper'; there are '", 0), 0U) << problems[0];
+  EXPECT_EQ(problems[1], "It does not have the joint '" + second + "' once; name every actuated joint.");
+  problems.clear();
+  JointColumns(*robot, {first, second + "t"}, "It", problems);
+  ASSERT_EQ(problems.size(), 2U);
+  EXPECT_EQ(problems[0], "It has the unknown joint '" + second + "t'; did you mean '" + second + "'?");
 }
 
 }  // namespace
