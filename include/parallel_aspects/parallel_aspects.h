@@ -19,6 +19,7 @@ namespace parallel_aspects {}
 #include "parallel_aspects/ask/distance.h"
 #include "parallel_aspects/ask/inverse_direct.h"
 #include "parallel_aspects/ask/jacobian.h"
+#include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
@@ -50,6 +51,5 @@ namespace parallel_aspects {}
 #include "parallel_aspects/tracking/joint_samples.h"
 #include "parallel_aspects/tracking/tracker.h"
 #include "parallel_aspects/urdf/mechanism.h"
-#include "parallel_aspects/urdf/passive_joints.h"
 
 #endif  // PARALLEL_ASPECTS_PARALLEL_ASPECTS_H

@@ -58,8 +58,7 @@ Problem refusal(const Manipulator& robot, const TrajectoryCheck& check) {
 }
 
 TrajectoryStart start_of(const CheckQuestion& question) {
-  const int sign = !question.start_sign ? 0 : *question.start_sign == Sign::plus ? 1 : -1;
-  return {question.start_pose, sign};
+  return {question.start_pose, value_of(question.start_sign)};
 }
 
 /// With the problems of its waypoints.

@@ -23,6 +23,16 @@ std::string text_of(const NamedRange& range) {
 
 }  // namespace
 
+void check_sources(bool has_map, const MapSource& map, const RoadmapSource& roadmap, ProblemList& problems) {
+  if (!has_map && !map.is_default())
+    problems.push_back({ProblemKind::robot, "resolution",
+                        "{resolution}, {load} and {save} are for maps, and in SE3 only slices have these",
+                        "give {slice}, or leave them out"});
+  if (has_map && !roadmap.is_default())
+    problems.push_back({ProblemKind::robot, "samples",
+                        "{samples} and {seed} are for roadmaps, in SE3 without {slice}", "leave them out"});
+}
+
 std::string example_of_ranges(const std::vector<std::string>& names) {
   std::string text;
   bool has_angle = false;

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASK_QUESTION_PARTS_H
 #define PARALLEL_ASPECTS_ASK_QUESTION_PARTS_H
 
+#include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/aspects/box.h"
@@ -10,6 +11,7 @@
 #include "parallel_aspects/model/pose.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,30 @@ Box box_of(const std::string& field, const std::vector<std::string>& names,
 /// the rounding of a table to six digits it is refused, and the problem gives the nearest pose.
 double put_onto_slice(const MapSlice& slice, const Manipulator& robot, const std::string& field, Pose& pose,
                       ProblemList& problems);
+
+/// Where what is asked has a map of boxes it has no roadmap, and the other way round.
+void check_sources(bool has_map, const MapSource& map, const RoadmapSource& roadmap, ProblemList& problems);
+
+/// That configuration, which no map was asked about.
+LocatedConfiguration configuration_of(const Manipulator& robot, const Pose& pose, const JointVector& q);
+
+/// Adds what the map, or the roadmap, knows of it; either may be null.
+void locate_in(const Manipulator& robot, const AspectMap* map, const PoseRoadmap* roadmap,
+               LocatedConfiguration& configuration);
+
+/// Every configuration at a pose within limits, in that working mode or in all. Where there is none, why.
+std::vector<LocatedConfiguration> configurations_at(const Manipulator& robot, const Pose& pose,
+                                                    const std::optional<WorkingMode>& mode,
+                                                    std::string& reason);
+
+/// Every assembly mode at these actuated joints, likewise.
+DirectStatus configurations_at(const Manipulator& robot, const JointVector& q,
+                               std::vector<LocatedConfiguration>& found, std::string& reason);
+
+/// Keeps those of this working mode and sign of det A, 0 for both. A sign that is exactly zero contradicts
+/// nothing. Where none is left, what they are and what is stated, a sentence; else empty.
+std::string keep_stated(const Manipulator& robot, const std::optional<WorkingMode>& mode, int sign,
+                        std::vector<LocatedConfiguration>& configurations);
 
 /// Values by the names of the actuated joints, as messages and files have them, in the order of the legs.
 class JointColumns {

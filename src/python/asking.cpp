@@ -2,8 +2,6 @@
 #include "python/asking.h"
 
 #include "tools/arguments.h"
-#include "tools/report/answer_json.h"
-#include "tools/report/basins_report.h"
 #include "tools/report/report.h"
 
 #include <nlohmann/json.hpp>
@@ -194,24 +192,8 @@ py::object DictWriter::object_of_value(const std::vector<Pose>& poses) const {
   return array_of(robot_.task_space(), poses);
 }
 
-py::object DictWriter::object_of_value(const ask::IndexBottleneck& bottleneck) const {
-  return object_of(tools::json_bottleneck(bottleneck.kind, bottleneck.found));
-}
-
 py::object DictWriter::object_of_value(const MapSlice& slice) const {
   return object_of(tools::json_slice(slice));
-}
-
-py::object DictWriter::object_of_value(const CuspStart& start) const {
-  const auto& point = start.point;
-  return py::dict(py::arg("component") = start.aspect,
-                  py::arg("pose") = point ? object_of_value(point->pose) : py::none(),
-                  py::arg("working_mode") = point ? object_of_value(point->mode) : py::none(),
-                  py::arg("actuated") = point ? py::object(array_of(point->q)) : py::object(py::none()));
-}
-
-py::object DictWriter::object_of_value(const std::vector<PathCrossing>& crossings) const {
-  return object_of(tools::JsonWriter(robot_).json_of(crossings));
 }
 
 py::object DictWriter::object_of_value(const TimedPath& timed) const {

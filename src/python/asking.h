@@ -146,10 +146,7 @@ class DictWriter {
   pybind11::object object_of_value(const WorkingMode& mode) const;
   pybind11::object object_of_value(const Pose& pose) const;
   pybind11::object object_of_value(const std::vector<Pose>& poses) const;
-  pybind11::object object_of_value(const ask::IndexBottleneck& bottleneck) const;
   pybind11::object object_of_value(const MapSlice& slice) const;
-  pybind11::object object_of_value(const CuspStart& start) const;
-  pybind11::object object_of_value(const std::vector<PathCrossing>& crossings) const;
   pybind11::object object_of_value(const TimedPath& timed) const;
 
   const Manipulator& robot_;

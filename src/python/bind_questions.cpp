@@ -5,6 +5,7 @@
 #include "parallel_aspects/ask/distance.h"
 #include "parallel_aspects/ask/inverse_direct.h"
 #include "parallel_aspects/ask/jacobian.h"
+#include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/workspace.h"
 #include "parallel_aspects/distance/boundary_distances.h"
@@ -146,8 +147,11 @@ void bind_motion(py::module& module, RobotClass& robot, MapClass& map) {
   module.def("jacobian_at", fields_of<ask::JacobianAt>);
   module.def("jacobian_answer", fields_of<ask::JacobianAnswer>);
   bind_question<ask::PlanQuestion, ask::PlanAnswer>("plan", module, robot, map);
+  bind_question<ask::GraphQuestion, ask::GraphAnswer>("graph", module, robot, map);
   bind_question<ask::ConnectQuestion, ask::ConnectAnswer>("connect", module, robot, map);
   bind_question<ask::DistanceQuestion, ask::DistancesInMode>("distance", module, robot, map);
+  robot.def("locate", ask_robot<ask::LocateQuestion>);
+  module.def("locate_question", fields_of<ask::LocateQuestion>);
   module.def("check_question", fields_of<ask::CheckQuestion>);
   module.def("check_answer", fields_of<ask::CheckAnswer>);
   module.def("choose_question", fields_of<ask::ChooseQuestion>);

@@ -101,11 +101,11 @@ int run(Program& program, const std::vector<std::string>& arguments, const Surro
 Program aspects_program() {
   return {"aspects",
           description,
-          {setup_subcommand(), map_subcommand(), graph_subcommand(), connect_subcommand(), plan_subcommand(),
-           check_subcommand(), choose_subcommand(), workspace_subcommand(), sweep_subcommand(),
-           merge_subcommand(), chart_subcommand(), describe_subcommand(), distance_subcommand(),
-           inverse_subcommand(), direct_subcommand(), jacobian_subcommand(), plot_subcommand(),
-           robots_subcommand(), uniqueness_subcommand()},
+          {setup_subcommand(),     map_subcommand(),      locate_subcommand(),  graph_subcommand(),
+           connect_subcommand(),   plan_subcommand(),     check_subcommand(),   choose_subcommand(),
+           workspace_subcommand(), sweep_subcommand(),    merge_subcommand(),   chart_subcommand(),
+           describe_subcommand(),  distance_subcommand(), inverse_subcommand(), direct_subcommand(),
+           jacobian_subcommand(),  plot_subcommand(),     robots_subcommand(),  uniqueness_subcommand()},
           footer};
 }
 

@@ -2,11 +2,13 @@
 #include "tools/question_options.h"
 
 #include "tools/arguments.h"
+#include "tools/output_file.h"
 #include "tools/subcommands.h"
 
 namespace parallel_aspects::tools {
 
-void TextReader::read(const std::string& /*option*/, const std::string& text, std::string& value) {
+void TextReader::read(const std::string& option, const std::string& text, std::string& value) {
+  if (option == option_name("save")) check_map_output(option, text, problems_);
   value = text;
 }
 
@@ -60,6 +62,33 @@ ShownAnswering::ShownAnswering(const Surroundings& surroundings) : shown_(surrou
   control_.note = [&surroundings](const std::string& sentence) {
     surroundings.messages << sentence << std::endl;
   };
+}
+
+std::shared_ptr<const AspectMap> map_of(const std::shared_ptr<const Manipulator>& robot,
+                                        const ask::MapSource& source, const Surroundings& surroundings) {
+  ask::ProblemList problems;
+  const ShownAnswering shown(surroundings);
+  auto found = ask::Session(robot).map(source, {}, shown.control(), problems).map;
+  if (!problems.empty()) refuse(problems);
+  if (!found) throw Interrupted{};
+  return found;
+}
+
+std::string source_text(const ask::MapSource& source, bool loaded) {
+  std::string text;
+  if (!source.load.empty())
+    text += loaded ? "the map is that of " + source.load + "\n"
+                   : "the map was computed, as " + source.load + " does not have it\n";
+  if (!source.save.empty()) text += "the map is saved to " + source.save + "\n";
+  return text;
+}
+
+void save_with_gates(const AspectMap& map, const std::string& file, const Surroundings& surroundings) {
+  if (file.empty()) return;
+  ask::ProblemList problems;
+  if (ask::save_with_gates(map, file, control_of(surroundings), problems)) return;
+  if (!problems.empty()) refuse(problems);
+  throw Interrupted{};
 }
 
 void refuse(const ask::ProblemList& problems) {

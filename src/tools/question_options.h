@@ -9,9 +9,10 @@
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"
+#include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/numbers.h"
-#include "tools/report/option_name.h"
+#include "tools/report/report.h"
 #include "tools/subcommands.h"
 
 #include <map>
@@ -200,6 +201,17 @@ Answer required(ask::Outcome<Answer> outcome) {
   return std::move(outcome.answer);
 }
 
+/// The map that is asked for. Throws `Interrupted`, or what `refuse` does.
+std::shared_ptr<const AspectMap> map_of(const std::shared_ptr<const Manipulator>& robot,
+                                        const ask::MapSource& source, const Surroundings& surroundings);
+
+/// Where the map is from, a line where a file was named.
+std::string source_text(const ask::MapSource& source, bool loaded);
+
+/// Writes a map with the gates between its aspects, which `aspects plan --load` then need not look for; an
+/// empty name is none. Throws `Interrupted`, or what `refuse` does.
+void save_with_gates(const AspectMap& map, const std::string& file, const Surroundings& surroundings);
+
 /// What is asked. Throws `InvalidDescription` where a text cannot be read.
 template <class Question>
 Question understood(const Manipulator& robot, const QuestionTexts& texts, const QuestionFlags& flags = {}) {
@@ -215,6 +227,52 @@ auto asked(const std::shared_ptr<const Manipulator>& robot, const Question& ques
            const Surroundings& surroundings) {
   ask::Session session(robot);
   return required(answer(session, question, ShownAnswering(surroundings).control()));
+}
+
+/// What the command line says of a question.
+struct QuestionArguments {
+  RobotChoice robot;
+  QuestionTexts texts;
+  QuestionFlags flags;
+  ConstraintArguments constraints;
+};
+
+/// The robot that a question is about. Throws `InvalidDescription`, with these problems, too.
+inline std::shared_ptr<const Manipulator> robot_of(const QuestionArguments& arguments,
+                                                   Problems problems = {}) {
+  const auto mechanism = load_robot(arguments.robot, std::move(problems));
+  return choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
+}
+
+/// A subcommand with the options of a question and of constraints, with others before and behind them.
+template <class Question, class Arguments>
+Subcommand question_subcommand(const std::string& name, const std::string& help,
+                               const std::shared_ptr<Arguments>& arguments,
+                               Report (*report_of)(const Arguments&, const Surroundings&),
+                               const std::vector<Option>& before, const std::vector<Option>& behind,
+                               const std::vector<Flag>& flags = {}) {
+  Subcommand made{name, help, robot_options(arguments->robot),
+                  [=](const Surroundings& surroundings) { return report_of(*arguments, surroundings); },
+                  question_flags<Question>(arguments->flags)};
+  for (const auto& more : {before, question_options<Question>(arguments->texts), behind,
+                           constraint_options(arguments->constraints)})
+    made.options.insert(made.options.end(), more.begin(), more.end());
+  made.flags.insert(made.flags.end(), flags.begin(), flags.end());
+  return made;
+}
+
+/// One without others.
+template <class Question, class Answer>
+Subcommand question_subcommand(const std::string& name, const std::string& help,
+                               Report (*report_of)(const Manipulator&, const Question&, const Answer&)) {
+  const auto arguments = std::make_shared<QuestionArguments>();
+  Subcommand made = question_subcommand<Question, QuestionArguments>(name, help, arguments, nullptr, {}, {});
+  made.run = [arguments, report_of](const Surroundings& surroundings) {
+    const auto robot = robot_of(*arguments);
+    const auto question = understood<Question>(*robot, arguments->texts, arguments->flags);
+    return report_of(*robot, question, asked(robot, question, surroundings));
+  };
+  return made;
 }
 
 /// A subcommand with the options of a question alone.

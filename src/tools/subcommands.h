@@ -91,6 +91,7 @@ Subcommand distance_subcommand();
 Subcommand graph_subcommand();
 Subcommand inverse_subcommand();
 Subcommand jacobian_subcommand();
+Subcommand locate_subcommand();
 Subcommand direct_subcommand();
 Subcommand plan_subcommand();
 Subcommand plot_subcommand();

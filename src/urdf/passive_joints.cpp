@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/urdf/passive_joints.h"
+#include "parallel_aspects/tracking/tracker.h"
+#include "parallel_aspects/urdf/mechanism.h"
 
 #include <cmath>
 #include <limits>

@@ -219,6 +219,23 @@ def test_connections_are_those_of_the_map(robot, aspects):
         assert ids.min() <= 0 or (each["same_aspect"] == "yes") == (ids[0] == ids[1])
 
 
+def test_locations_and_gates_are_those_of_the_map(robot, aspects):
+    found = robot.locate((4.5, 8))["configurations"]
+    assert len(found) == 4
+    for each in found:
+        assert each["aspect"] == aspects.locate((4.5, 8), each["working_mode"])
+        again = robot.locate(joints=each["joints"], mode=each["working_mode"])["configurations"]
+        assert min(np.abs(one["pose"] - (4.5, 8)).max() for one in again) < 1e-6
+    graph = aspects.graph()
+    sets = {aspect["id"]: aspect["set"] for aspect in graph["aspects"]}
+    assert sorted(sets) == [aspect.id for aspect in aspects.aspects]
+    for gate in graph["gates"]:
+        first, second = gate["aspects"]
+        assert gate["crossing"] != "serial" or not gate["proved"] or sets[first] == sets[second]
+    with pytest.raises(pa.InvalidDescription, match="pose is required"):
+        robot.locate()
+
+
 def test_workspaces_lie_in_their_aspects(aspects):
     found = aspects.workspace("disc")
     assert [each.aspect for each in found] == [aspect.id for aspect in aspects.aspects]

@@ -6,9 +6,10 @@
 #include "parallel_aspects/ask/distance.h"
 #include "parallel_aspects/ask/inverse_direct.h"
 #include "parallel_aspects/ask/jacobian.h"
+#include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/workspace.h"
-#include "tools/report/option_name.h"
+#include "tools/report/report.h"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +54,13 @@ void expect_documented() {
 
 TEST(DocumentedFields, AreThoseOfTheAnswers) {
   expect_documented<ask::PlanAnswer>();
+  expect_documented<ask::GraphAnswer>();
+  expect_documented<ask::GraphNode>();
+  expect_documented<Neighbours>();
+  expect_documented<GateCrossing>();
+  expect_documented<ask::JoinedAspects>();
+  expect_documented<ask::LocateAnswer>();
+  expect_documented<ask::LocatedConfiguration>();
   expect_documented<ask::ConnectAnswer>();
   expect_documented<ask::ConnectionInMode>();
   expect_documented<ask::CheckAnswer>();

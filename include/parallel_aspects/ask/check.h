@@ -46,13 +46,6 @@ inline constexpr std::array<CheckPolicy, 2> choices(CheckPolicy /*tag*/) {
 /// "stay" or "serial".
 inline const char* name(CheckPolicy policy) { return policy == CheckPolicy::stay ? "stay" : "serial"; }
 
-/// Of det A.
-enum class Sign { plus, minus };
-/// Likewise.
-inline constexpr std::array<Sign, 2> choices(Sign /*tag*/) { return {Sign::plus, Sign::minus}; }
-/// "+" or "-".
-inline const char* name(Sign sign) { return sign == Sign::plus ? "+" : "-"; }
-
 /// Whether a trajectory is safe: of the platform or of the actuated joints, which each face reads in its own
 /// way.
 struct CheckQuestion {

@@ -9,6 +9,7 @@
 #include "parallel_aspects/motion/choose_working_mode.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +21,101 @@ inline constexpr std::array<ParallelIndex, 2> choices(ParallelIndex /*tag*/) {
   return {ParallelIndex::normalised, ParallelIndex::determinant};
 }
 
+/// "inside", "undecided", "outside" or "not mapped".
+inline const char* name(LocationStatus status) {
+  return status == LocationStatus::inside      ? "inside"
+         : status == LocationStatus::undecided ? "undecided"
+         : status == LocationStatus::outside   ? "outside"
+                                               : "not mapped";
+}
+
 namespace ask {
+
+/// Which configurations a pose, or values of the actuated joints, can be, and which aspects hold them.
+struct LocateQuestion {
+  std::optional<Pose> pose{};           ///< in the task frame
+  std::optional<JointVector> joints{};  ///< in place of a pose; with both they are one configuration
+  std::optional<WorkingMode> mode{};    ///< by default every one
+  std::optional<Sign> sign{};           ///< of det A; by default both
+  MapSource map{};                      ///< that is asked
+  RoadmapSource roadmap{};              ///< in place of a map, with six degrees of freedom
+  bool brief = false;                   ///< asks none but those that are known
+};
+
+/// Its fields.
+template <class Visit>
+void describe(Visit& visit, LocateQuestion& question) {
+  visit({"pose", "\"x y\"", "Pose of the platform; lengths [m]"}, question.pose);
+  visit(
+      {"joints", "\"q1 q2\"",
+       "In place of a pose: values of the actuated joints, in the order of the legs [rad or m]; with a pose "
+       "they are one configuration"},
+      question.joints);
+  visit({"mode", "\"(+,-)\"", "Working mode, as signs of B_jj; by default every one"}, question.mode);
+  visit({"sign", "+", "Sign of det A, + or -; by default both"}, question.sign);
+  describe(visit, question.map);
+  describe(visit, question.roadmap);
+}
+
+/// A pose and joint values that assemble, and where that is.
+struct LocatedConfiguration {
+  Pose pose;                               ///< in the task frame
+  JointVector q;                           ///< in the order of the legs [rad or m]
+  std::optional<WorkingMode> mode;         ///< none where some B_jj is zero
+  int determinant_sign = 0;                ///< 0 where det A is zero
+  bool within_limits = true;               ///< of the actuated joints
+  std::string missed_margins;              ///< as of `missed_margins`
+  std::optional<Location> location;        ///< nothing where no map was asked
+  std::optional<std::uint32_t> component;  ///< of the roadmap, from 0; nothing where none is proved
+};
+
+/// Its fields.
+template <class Visit>
+void describe(Visit& visit, const LocatedConfiguration& answer) {
+  const bool is_inside = answer.location && *answer.location;
+  visit({"pose", "", "of the platform"}, answer.pose);
+  visit({"joints", "rad or m", "joint values in the order of the legs"}, answer.q);
+  visit({"working_mode", "", "signs of B_jj; null where one is zero"}, answer.mode);
+  visit({"determinant_sign", "", "of det A: 1, -1 or 0"}, answer.determinant_sign);
+  visit({"within_limits", "", "whether the joint values are"}, answer.within_limits);
+  visit({"missed_margins", "", "a sentence about each margin that it does not keep; null where it keeps all"},
+        only_if(!answer.missed_margins.empty(), answer.missed_margins));
+  visit({"status", "",
+         "`inside` and `outside` of aspects are proved; `undecided`: nearer to a singularity or a limit than "
+         "the map can tell; `not mapped`; null without a map"},
+        answer.location ? std::make_optional(answer.location->status) : std::nullopt);
+  visit({"aspect", "", "id of the aspect that is proved to hold it; else null"},
+        is_inside ? std::make_optional(answer.location->aspect) : std::nullopt);
+  visit({"component", "",
+         "with six degrees of freedom: that of the roadmap which a segment is proved to join it to, from 1 "
+         "among those of its working mode and sign of det A; else null"},
+        answer.component ? std::make_optional(static_cast<int>(*answer.component) + 1) : std::nullopt);
+}
+
+/// Where they are.
+struct LocateAnswer {
+  TaskSpace task_space = TaskSpace::T2;              ///< of the robot
+  DirectStatus status = DirectStatus::solved;        ///< of joint values, as of `direct`
+  std::string reason;                                ///< why there is none, a sentence; else empty
+  std::vector<LocatedConfiguration> configurations;  ///< by working mode, or by falling det A
+  std::optional<MapSlice> slice;                     ///< of the map
+  std::optional<bool> loaded;                        ///< from the file; nothing where no map was asked
+};
+
+/// Its fields.
+template <class Visit>
+void describe(Visit& visit, const LocateAnswer& answer) {
+  visit({"task_space", "", "how the platform moves"}, answer.task_space);
+  visit({"status", "", "of joint values, as of `fk`"}, answer.status);
+  visit({"reason", "", "why there are none, a message; else null"},
+        only_if(!answer.reason.empty(), answer.reason));
+  visit({"configurations", "", "those that are meant, as follows"}, answer.configurations);
+  visit({"slice", "", "with {slice}: what is held and free, as for maps; else null"}, answer.slice);
+  visit({"loaded", "", "whether the map is that of {load}; null without a map"}, answer.loaded);
+}
+
+/// Finds them. A map of all working modes is asked, so that ids are those of `aspects map`.
+Outcome<LocateAnswer> answer(Session& session, const LocateQuestion& question, const Control& control = {});
 
 /// Whether two poses lie in one aspect.
 struct ConnectQuestion {
@@ -63,6 +158,14 @@ struct IndexBottleneck {
   Bottleneck found;                                ///< the largest
 };
 
+/// Its fields.
+template <class Visit>
+void describe(Visit& visit, const IndexBottleneck& bottleneck) {
+  visit({"index", "", "`parallel` or `det_a`"}, bottleneck.kind);
+  visit({"lower", "", "proved"}, bottleneck.found.index.lower);
+  visit({"upper", "", "proved"}, bottleneck.found.index.upper);
+}
+
 /// What is known in one working mode.
 struct ConnectionInMode {
   WorkingMode mode;                           ///< which
@@ -70,6 +173,10 @@ struct ConnectionInMode {
   std::optional<PathClearance> clearance;     ///< of its path, where there is one; `time` counts segments
   std::optional<Pose> narrowest;              ///< of the path, where `clearance->measured` was measured
   std::optional<IndexBottleneck> bottleneck;  ///< where there is a map
+
+  bool has_bottleneck() const noexcept {  ///< whether one is found
+    return bottleneck && bottleneck->found.status == BottleneckStatus::found;
+  }
 };
 
 /// Its fields.
@@ -99,7 +206,7 @@ void describe(Visit& visit, const ConnectionInMode& answer) {
        "the largest index that a path between the two can keep: `index` (`parallel` or `det_a`), `lower`, "
        "`upper`, proved; null without a map, or where the two are proved to lie in different aspects or not "
        "to lie in one"},
-      answer.bottleneck);
+      answer.has_bottleneck() ? answer.bottleneck : std::nullopt);
 }
 
 /// Whether they do.

@@ -24,6 +24,37 @@ inline constexpr std::array<PathPreference, 4> choices(PathPreference /*tag*/) {
   return {PathPreference::shortest, PathPreference::clear, PathPreference::fast, PathPreference::quick};
 }
 
+/// The fields of a point of a path.
+template <class Visit>
+void describe(Visit& visit, const PathPoint& point) {
+  visit({"pose", "", "of the platform"}, point.pose);
+  visit({"working_mode", "", "signs of B_jj"}, point.mode);
+  visit({"actuated", "rad or m", "values of the actuated joints"}, point.q);
+}
+
+/// The fields of a start around a cusp.
+template <class Visit>
+void describe(Visit& visit, const CuspStart& start) {
+  const PathPoint point = start.point.value_or(PathPoint());
+  visit({"component", "", "that the cusp belongs to"}, start.aspect);
+  visit({"pose", "", "null where none is found"}, ask::only_if(start.point.has_value(), point.pose));
+  visit({"working_mode", "", "likewise"}, ask::only_if(start.point.has_value(), point.mode));
+  visit({"actuated", "rad or m", "likewise"}, ask::only_if(start.point.has_value(), point.q));
+}
+
+/// The fields of a way from one aspect into another.
+template <class Visit>
+void describe(Visit& visit, const PathCrossing& crossing) {
+  const bool serial = crossing.kind == Crossing::serial;
+  visit({"after_point", "", "index of the point before it"}, static_cast<int>(crossing.point));
+  visit({"before_point", "", "index of the point behind it"}, static_cast<int>(crossing.behind));
+  visit({"crossing", "", "`serial` or `parallel`"}, crossing.kind);
+  visit({"control_lost", "", "where parallel"}, !serial);
+  visit({"leg", "", "null where parallel"}, ask::only_if(serial, ask::LegIndex{crossing.leg}));
+  visit({"from_aspect", "", "null over a roadmap"}, ask::only_if(crossing.from != 0, crossing.from));
+  visit({"to_aspect", "", "likewise"}, ask::only_if(crossing.to != 0, crossing.to));
+}
+
 namespace ask {
 
 /// Where a path begins or ends.
@@ -86,16 +117,7 @@ void describe(Visit& visit, PlanQuestion& question) {
          "In place of an end, with {hold}: around this cusp of those that `uniqueness` lists, back to the "
          "actuated values of the start in another assembly mode of its aspect"},
         question.around_cusp);
-  visit({"resolution", "R",
-         "Longest edge of an undecided leaf of the base map [m or rad]; by default what suits the robot"},
-        question.map.resolution);
-  visit({"hold", "\"z=1\"",
-         "Stay in a line, plane or volume of poses: what is held, with its value [m or rad]; the rest is "
-         "free. In SE2 an actuated joint may be held, such as \"strut_1_joint=15\""},
-        question.map.hold);
-  visit({"load", "FILE", "Take the map from this file if it is of this robot and these options"},
-        question.map.load);
-  visit({"save", "FILE", "Write the map to this file, with its gates, for {load}"}, question.map.save);
+  describe(visit, question.map, "hold");
   visit({"samples", "N",
          "With six degrees of freedom, or in place of a map: poses of the roadmap, by default 1000"},
         question.roadmap.samples);

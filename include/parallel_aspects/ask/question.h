@@ -4,6 +4,7 @@
 
 #include "parallel_aspects/model/problems.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -75,6 +76,15 @@ std::optional<Choice> choice_named(const std::string& text, std::string& names) 
   }
   return std::nullopt;
 }
+
+/// Of det A.
+enum class Sign { plus, minus };
+/// All values, for whoever reads one by its name.
+inline constexpr std::array<Sign, 2> choices(Sign /*tag*/) { return {Sign::plus, Sign::minus}; }
+/// "+" or "-".
+inline const char* name(Sign sign) { return sign == Sign::plus ? "+" : "-"; }
+/// 1 or -1; 0 for none.
+inline int value_of(const std::optional<Sign>& sign) { return !sign ? 0 : *sign == Sign::plus ? 1 : -1; }
 
 /// What is wrong with a question.
 enum class ProblemKind {

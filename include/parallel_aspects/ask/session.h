@@ -77,6 +77,28 @@ struct MapSource {
   bool is_default() const noexcept { return !resolution && load.empty() && save.empty(); }
 };
 
+/// Their fields, as all questions have them.
+template <class Visit>
+void describe(Visit& visit, MapSource& map, const std::string& held = "slice") {
+  visit({"resolution", "R",
+         "Longest edge of an undecided leaf of the base map [m or rad]; by default what suits the robot"},
+        map.resolution);
+  visit(
+      {held, "\"z=1\"",
+       "Stay in a line, plane or volume of poses: what is held, with its value [m or rad]; the rest is free. "
+       "In SE2 an actuated joint may be held, such as \"strut_1_joint=15\""},
+      map.hold);
+  visit({"load", "FILE", "Take the map from this file if it is of this robot and these options"}, map.load);
+  visit({"save", "FILE", "Write the map to this file, with its gates, for {load}"}, map.save);
+}
+/// Likewise.
+template <class Visit>
+void describe(Visit& visit, RoadmapSource& roadmap) {
+  visit({"samples", "N", "With six degrees of freedom: poses of the roadmap, by default 1000"},
+        roadmap.samples);
+  visit({"seed", "N", "Likewise: seed of its poses, by default 1"}, roadmap.seed);
+}
+
 /// Acceleration limits of the actuated joints, where a question says nothing else.
 struct Acceleration {
   JointVector values{};                        ///< [rad/s^2 or m/s^2]; empty for none
@@ -111,6 +133,9 @@ class Session {
   const std::shared_ptr<const SegmentCertifier>& certifier() const noexcept { return certifier_; }
   /// What was made known; null for none.
   const std::shared_ptr<const AspectMap>& known_map() const noexcept { return known_map_; }
+  const std::shared_ptr<const PoseRoadmap>& known_roadmap() const noexcept {  ///< likewise
+    return known_roadmap_;
+  }
 
   /// The slice that a question is about.
   std::optional<MapSlice> slice_of(const MapSource& source) const;

@@ -75,16 +75,7 @@ void describe(Visit& visit, LargestShapeQuestion& question) {
   visit({"mode", "\"(+,-)\"",
          "In these working modes alone; ids are then those of `aspects map --mode`, unless there is a map"},
         question.modes);
-  visit({"resolution", "R",
-         "Longest edge of an undecided leaf of the base map [m or rad]; by default what suits the robot"},
-        question.map.resolution);
-  visit(
-      {"slice", "\"z=1\"",
-       "Stay in a line, plane or volume of poses: what is held, with its value [m or rad]; the rest is free"},
-      question.map.hold);
-  visit({"load", "FILE", "Take the map from this file if it is of this robot and these options"},
-        question.map.load);
-  visit({"save", "FILE", "Write the map to this file, with its gates, for {load}"}, question.map.save);
+  describe(visit, question.map);
 }
 
 /// The largest shape in one aspect.

@@ -280,6 +280,16 @@ class Robot:
         choose --region`."""
         return self._core.choose(None, None, {"region": region, "slice": slice}, None, progress)
 
+    def locate(self, pose: "Optional[np.typing.ArrayLike]" = None, *, progress: Progress = None, **options: Any) -> Dict[str, Any]:
+        """Which configurations a pose or values of the actuated joints can be, and which aspects hold them, as of `aspects
+        locate`: in a map that is computed first. `Map.locate` asks a map that is there, of many poses."""
+        return self._core.locate({"pose": pose, **options}, progress)
+
+    def graph(self, *, progress: Progress = None, **options: Any) -> Dict[str, Any]:
+        """Which aspects are joined through gates, and which are proved apart, as of `aspects graph`: in a map that is
+        computed first, with six degrees of freedom over a roadmap. Poses of the answer are arrays."""
+        return self._core.graph(options, progress)
+
     def connect(
         self, start: "np.typing.ArrayLike", goal: "np.typing.ArrayLike", *, progress: Progress = None, **options: Any
     ) -> Dict[str, Any]:
@@ -361,6 +371,8 @@ class Robot:
 
 
 documented(Robot.plan, _core.plan_question())
+documented(Robot.locate, _core.locate_question())
+documented(Robot.graph, _core.graph_question())
 documented(Robot.connect, _core.connect_question())
 documented(Robot.check, _core.check_question())
 documented(Robot.check_joints, _core.check_question())

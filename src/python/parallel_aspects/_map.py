@@ -92,6 +92,10 @@ class Map:
         """The boxes of a working mode that are neither in an aspect nor proved to meet none, shape (n, d, 2)."""
         return self._core.undecided(mode)
 
+    def graph(self, *, progress: Optional[Callable[[float], Any]] = None, **options: Any) -> Dict[str, Any]:
+        """Which of these aspects are joined through gates, and which are proved apart, as of `Robot.graph`."""
+        return self._core.graph(options, progress)
+
     def workspace(
         self,
         shape: str,
@@ -157,6 +161,7 @@ class Map:
 
 
 documented(Map.plan, _core.plan_question())
+documented(Map.graph, _core.graph_question())
 documented(Map.connect, _core.connect_question())
 documented(Map.distance, _core.distance_question())
 documented(Map.workspace, _core.workspace_question())

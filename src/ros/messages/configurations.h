@@ -2,30 +2,31 @@
 #ifndef PARALLEL_ASPECTS_ROS_MESSAGES_CONFIGURATIONS_H
 #define PARALLEL_ASPECTS_ROS_MESSAGES_CONFIGURATIONS_H
 
-#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/ask/connect.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 #include "ros/messages/conversions.h"
 
 #include <parallel_aspects/Configuration.h>
 
-#include <ros/time.h>
-
 #include <cstdint>
+#include <functional>
+#include <geometry_msgs/PoseStamped.h>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace parallel_aspects {
 
-/// The configurations that a request means.
-struct ConfigurationAnswer {
-  Status status;  ///< OK with at least one configuration, or why there is none
-  ros::Time stamp;
-  std::vector<SolvedPose> configurations;
-};
+/// The working mode of these signs; none for empty ones or zeros, which mean any, and for what is none.
+std::optional<WorkingMode> stated_mode(const std::vector<std::int8_t>& signs);
+
+/// Whether they are those of a working mode of the robot, or mean any.
+bool is_mode_of(const Manipulator& manipulator, const std::vector<std::int8_t>& signs);
 
 /// What is said of a configuration besides its pose or joint values.
 struct StatedSigns {
-  std::vector<std::int8_t> working_mode;  ///< empty, or zeros alone, for any
-  int determinant_sign = 0;               ///< of det A; 0 for any
+  std::optional<WorkingMode> mode{};  ///< none for any
+  int determinant_sign = 0;           ///< of det A; 0 for any
 };
 StatedSigns stated_signs(const Configuration& configuration);
 
@@ -33,31 +34,25 @@ StatedSigns stated_signs(const Configuration& configuration);
 /// look at. Empty where there is nothing.
 std::string fault_of(const Manipulator& manipulator, const Configuration& configuration);
 
-/// Those of the configurations that are as stated. Where none is, the status says what they are and what was
-/// stated. A sign that is exactly zero contradicts nothing.
-ConfigurationAnswer as_stated(const Manipulator& manipulator, ConfigurationAnswer answer,
-                              const StatedSigns& stated);
-
 /// That an actuated joint is beyond its limits; empty where none is.
 std::string beyond_limits(const Manipulator& manipulator, const JointVector& q);
 
 /// Which margins from singularities the configurations do not keep; empty where all keep them.
-std::string beyond_margins(const Manipulator& manipulator, const std::vector<SolvedPose>& configurations);
+std::string beyond_margins(const std::vector<ask::LocatedConfiguration>& configurations);
 
-/// Every configuration with this pose, in the given working mode or, where it is empty, in all.
-ConfigurationAnswer configurations_at_pose(const Manipulator& manipulator, const Pose& pose,
-                                           const std::vector<std::int8_t>& working_mode);
+/// Brings a pose into the base frame; nothing, and a message, where tf cannot.
+using PoseTransformer = std::function<std::optional<geometry_msgs::Pose>(const geometry_msgs::PoseStamped&,
+                                                                         std::string& message)>;
 
-/// Every assembly mode at these actuated joints.
-ConfigurationAnswer configurations_at_joints(const Manipulator& manipulator, const JointVector& q);
+/// The pose of a message in the task frame; `which` begins the sentence of a status. With OK, and a message,
+/// where the platform does not have all of its motion: then its projection.
+Status read_pose(const Manipulator& manipulator, const PoseTransformer& to_base,
+                 const geometry_msgs::PoseStamped& message, const std::string& which, Pose& pose);
 
-/// Why a robot with these actuated joints is not at a pose, for people: nothing reaches it, or how far the
-/// nearest assembly mode is from it.
-std::string why_not_at(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
-
-/// Where no map exists: which component of the roadmap, which may be null, a configuration is joined to.
-void report_component(const Manipulator& manipulator, const SolvedPose& solved, const PoseRoadmap* roadmap,
-                      SolvedConfiguration& message);
+/// Likewise of several with their times, which are as many.
+Status read_waypoints(const Manipulator& manipulator, const PoseTransformer& to_base,
+                      const std::vector<geometry_msgs::PoseStamped>& poses, const std::vector<double>& times,
+                      std::vector<PoseWaypoint>& waypoints);
 
 }  // namespace parallel_aspects
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/messages/conversions.h"
 
+#include "ask/question_parts.h"
 #include "model/linear_algebra.h"
 #include "model/spherical_links.h"
 #include "model/task_space_traits.h"
@@ -8,7 +9,6 @@
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/motion/motion_guard.h"
 #include "ros/messages/hazard_messages.h"
-#include "ros/messages/not_a_number.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,22 +39,11 @@ std::vector<double> by_rows(const std::optional<TaskMatrix>& matrix) {
   return matrix ? to_vector(TaskMatrix(matrix->transpose())) : std::vector<double>();
 }
 
-void locate(const AspectMap& map, const Pose& pose, const WorkingMode& mode, SolvedConfiguration& message) {
-  const Location location = map.locate(pose, mode);
-  switch (location.status) {
-    case LocationStatus::inside:
-      message.aspect_status = SolvedConfiguration::INSIDE;
-      message.aspect = static_cast<std::uint32_t>(location.aspect);
-      return;
-    case LocationStatus::undecided:
-      message.aspect_status = SolvedConfiguration::UNDECIDED;
-      return;
-    case LocationStatus::outside:
-      message.aspect_status = SolvedConfiguration::OUTSIDE;
-      return;
-    case LocationStatus::not_mapped:
-      message.aspect_status = SolvedConfiguration::NOT_MAPPED;
-  }
+std::uint8_t status_of(LocationStatus status) {
+  return status == LocationStatus::inside      ? SolvedConfiguration::INSIDE
+         : status == LocationStatus::undecided ? SolvedConfiguration::UNDECIDED
+         : status == LocationStatus::outside   ? SolvedConfiguration::OUTSIDE
+                                               : SolvedConfiguration::NOT_MAPPED;
 }
 
 std::uint8_t status_of(DistanceStatus status) {
@@ -219,26 +208,21 @@ const char* inverse_entry_unit(const Leg& leg) {
   return leg.actuated_by_angle() ? "m^2/rad" : "m";
 }
 
-SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedPose& solved,
-                                   const AspectMap* map, const ros::Time& stamp) {
+SolvedConfiguration solved_message(const Manipulator& manipulator, const ask::LocatedConfiguration& located,
+                                   const ros::Time& stamp) {
   SolvedConfiguration message;
   message.header = header_in_base(manipulator, stamp);
-  message.pose = pose_message(platform_in_base(manipulator, solved.pose));
+  message.pose = pose_message(platform_in_base(manipulator, located.pose));
   for (const Leg& leg : manipulator.legs()) message.joint_names.push_back(leg.actuated_joint);
-  message.joint_positions = to_vector(solved.q);
-  const TaskVector diagonal = inverse_diagonal(manipulator, solved.pose, solved.q);
+  message.joint_positions = to_vector(located.q);
+  const TaskVector diagonal = inverse_diagonal(manipulator, located.pose, located.q);
   for (const double entry : coefficients_of(diagonal))
     message.working_mode.push_back(static_cast<std::int8_t>(sign_of(entry)));
-  message.determinant_sign =
-      static_cast<std::int8_t>(sign_of(direct_determinant(manipulator, solved.pose, solved.q)));
-  if (map == nullptr) return message;
-  const auto mode = working_mode(manipulator, solved.pose, solved.q);
-  if (!mode)
-    message.aspect_status = SolvedConfiguration::UNDECIDED;
-  else if (!manipulator.within_limits(solved.q))
-    message.aspect_status = SolvedConfiguration::OUTSIDE;
-  else
-    locate(*map, solved.pose, *mode, message);
+  message.determinant_sign = static_cast<std::int8_t>(located.determinant_sign);
+  if (!has_map(manipulator.task_space())) message.aspect_status = SolvedConfiguration::NO_MAP;
+  if (located.location) message.aspect_status = status_of(located.location->status);
+  if (located.location) message.aspect = static_cast<std::uint32_t>(located.location->aspect);
+  if (located.component) message.roadmap_component = *located.component + 1;
   return message;
 }
 
@@ -252,8 +236,8 @@ AssemblyCandidates candidates_message(const Manipulator& manipulator, const Trac
   message.complete = candidates.complete();
   const std::size_t count = candidates.size();
   for (std::size_t i = 0; i < count; ++i)
-    message.candidates.push_back(
-        solved_message(manipulator, {candidates[i].pose, candidates[i].q}, nullptr, stamp));
+    message.candidates.push_back(solved_message(
+        manipulator, ask::configuration_of(manipulator, candidates[i].pose, candidates[i].q), stamp));
   const std::string why = reason(tracked.ambiguity);
   if (count == 0 && !message.complete) {
     message.message =
@@ -316,12 +300,12 @@ MetricDistance distance_message(const Manipulator& manipulator, const SolvedPose
   return message;
 }
 
-SingularityReport report_message(const Manipulator& manipulator, const SolvedPose& solved,
-                                 const BoundaryDistances& distances, const AspectMap* map,
-                                 const ros::Time& stamp) {
+SingularityReport report_message(const Manipulator& manipulator, const ask::LocatedConfiguration& located,
+                                 const BoundaryDistances& distances, const ros::Time& stamp) {
+  const SolvedPose solved{located.pose, located.q};
   const SingularityIndices indices = singularity_indices(manipulator, solved.pose, solved.q);
   SingularityReport message;
-  message.configuration = solved_message(manipulator, solved, map, stamp);
+  message.configuration = solved_message(manipulator, located, stamp);
   message.parallel_distance = distance_message(manipulator, solved, distances.parallel, false);
   message.serial_distance = distance_message(manipulator, solved, distances.serial, true);
   message.limit_distance = distance_message(manipulator, solved, distances.actuated_limit, true);

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_MESSAGES_CONVERSIONS_H
 #define PARALLEL_ASPECTS_ROS_MESSAGES_CONVERSIONS_H
 
+#include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/kinematics/kinematics.h"
@@ -25,11 +26,18 @@
 #include <cstdint>
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Transform.h>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace parallel_aspects {
+
+/// What messages hold where a value is unknown.
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// Whether maps are computed in this task space; with six degrees of freedom there are roadmaps instead.
+constexpr bool has_map(TaskSpace space) noexcept { return space != TaskSpace::SE3; }
 
 /// A pose and joint values that assemble.
 struct SolvedPose {
@@ -64,9 +72,8 @@ std::string branch_text(const WorkingMode& mode, int determinant_sign);
 /// "m^2/rad" for an actuated angle, "1/rad" for that of spherical links, "m" for an actuated length.
 const char* inverse_entry_unit(const Leg& leg);
 
-/// The aspect is looked up in `map`, which may be null.
-SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedPose& solved,
-                                   const AspectMap* map, const ros::Time& stamp);
+SolvedConfiguration solved_message(const Manipulator& manipulator, const ask::LocatedConfiguration& located,
+                                   const ros::Time& stamp);
 
 /// The assembly modes that remain possible; complete, and none, where the robot is followed.
 AssemblyCandidates candidates_message(const Manipulator& manipulator, const TrackedState& tracked,
@@ -82,9 +89,8 @@ AspectSummary summary_message(const Manipulator& manipulator, const Aspect& aspe
 MetricDistance distance_message(const Manipulator& manipulator, const SolvedPose& solved,
                                 const BoundaryDistance& distance, bool of_leg);
 
-SingularityReport report_message(const Manipulator& manipulator, const SolvedPose& solved,
-                                 const BoundaryDistances& distances, const AspectMap* map,
-                                 const ros::Time& stamp);
+SingularityReport report_message(const Manipulator& manipulator, const ask::LocatedConfiguration& located,
+                                 const BoundaryDistances& distances, const ros::Time& stamp);
 
 Jacobian jacobian_message(const Manipulator& manipulator, const SolvedPose& solved, const AspectMap* map,
                           const ros::Time& stamp);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/messages/hazard_messages.h"
 
-#include "ros/messages/not_a_number.h"
+#include "ros/messages/conversions.h"
 
 #include <parallel_aspects/AspectState.h>
 

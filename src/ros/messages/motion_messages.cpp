@@ -152,7 +152,93 @@ ChangeOfPosture change_message(const Manipulator& manipulator, const PostureChan
   return message;
 }
 
+std::uint8_t kind_of(Violation violation) {
+  switch (violation) {
+    case Violation::out_of_reach:
+      return TrajectoryEvent::SERIAL_SINGULARITY;
+    case Violation::joint_limit:
+      return TrajectoryEvent::ACTUATED_LIMIT;
+    case Violation::constraint:
+      return TrajectoryEvent::CONSTRAINT;
+    case Violation::singularity:
+    case Violation::none:
+      break;
+  }
+  return TrajectoryEvent::PARALLEL_SINGULARITY;
+}
+
+std::string name_of(const Manipulator& manipulator, const std::optional<std::size_t>& leg) {
+  return leg ? manipulator.leg(*leg).name : "";
+}
+
+TrajectoryEvent event_of(const Manipulator& manipulator, const TrajectoryViolation& violation) {
+  TrajectoryEvent event;
+  event.kind = kind_of(violation.kind);
+  event.leg = name_of(manipulator, violation.leg);
+  if (violation.constraint) event.constraint = name(*violation.constraint);
+  event.after = violation.after;
+  event.before = violation.before;
+  return event;
+}
+
+TrajectoryEvent event_of(const Manipulator& manipulator, const TrajectoryCrossing& crossing) {
+  TrajectoryEvent event;
+  event.kind = kind_of(crossing.kind);
+  event.leg = name_of(manipulator, crossing.leg);
+  event.after = crossing.after;
+  event.before = crossing.before;
+  if (crossing.mode) event.working_mode = signs_message(*crossing.mode);
+  event.determinant_sign = static_cast<std::int8_t>(crossing.determinant_sign);
+  return event;
+}
+
+void fill_values(const Manipulator& manipulator, const ask::CheckAnswer& answer,
+                 CheckTrajectory::Response& response) {
+  const TrajectoryCheck& check = answer.check;
+  response.least_parallel_index = check.parallel_index.value;
+  response.least_parallel_index_time = check.parallel_index.time;
+  response.least_serial_index = check.serial_index.value;
+  response.least_serial_index_time = check.serial_index.time;
+  response.least_serial_index_leg = name_of(manipulator, check.serial_index.leg);
+  for (const ask::JointSpeed& each : answer.speeds) {
+    response.joint_names.push_back(each.joint);
+    response.fastest.push_back(each.speed.value);
+    response.never_faster.push_back(each.speed.bound);
+    response.velocity_limits.push_back(each.limit);
+  }
+}
+
+void fill_distances(const ask::CheckAnswer& answer, CheckTrajectory::Response& response) {
+  for (std::size_t i = 0; i < answer.distances.size(); ++i) {
+    const SampleDistances& distances = answer.distances[i];
+    if (!distances.measured) continue;
+    response.distance_times.push_back(answer.check.samples[i].time);
+    response.parallel_distances.push_back(distances.lower[0]);
+    response.serial_distances.push_back(distances.lower[1]);
+    response.limit_distances.push_back(distances.lower[2]);
+  }
+  for (const auto& least : answer.least_distance().value_or(ask::NamedValues()))
+    response.least_distances.push_back(least.second);
+}
+
 }  // namespace
+
+void write_check(const Manipulator& manipulator, const ask::CheckAnswer& answer,
+                 CheckTrajectory::Response& response) {
+  const TrajectoryCheck& check = answer.check;
+  response.answer = check.answer == TrajectoryAnswer::safe     ? CheckTrajectory::Response::YES
+                    : check.answer == TrajectoryAnswer::unsafe ? CheckTrajectory::Response::NO
+                                                               : CheckTrajectory::Response::UNKNOWN;
+  response.reason = check.reason;
+  response.free_until = check.free_until;
+  response.followed_until = check.followed_until;
+  response.not_followed = check.not_followed;
+  if (check.violation) response.first_violation.push_back(event_of(manipulator, *check.violation));
+  for (const TrajectoryCrossing& crossing : check.crossings)
+    response.crossings.push_back(event_of(manipulator, crossing));
+  fill_values(manipulator, answer, response);
+  fill_distances(answer, response);
+}
 
 Status read_region(const Manipulator& manipulator, const ChooseWorkingMode::Request& request,
                    ask::ChooseQuestion& question) {

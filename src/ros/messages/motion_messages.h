@@ -2,10 +2,12 @@
 #ifndef PARALLEL_ASPECTS_ROS_MESSAGES_MOTION_MESSAGES_H
 #define PARALLEL_ASPECTS_ROS_MESSAGES_MOTION_MESSAGES_H
 
+#include "parallel_aspects/ask/check.h"
 #include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/motion/plan_path.h"
 
+#include <parallel_aspects/CheckTrajectory.h>
 #include <parallel_aspects/ChooseWorkingMode.h>
 #include <parallel_aspects/ModeConnection.h>
 #include <parallel_aspects/PlanPathResult.h>
@@ -29,6 +31,10 @@ void write_path(const Manipulator& manipulator, const PlannedPath& path, PlanPat
 
 /// Writes what became of the trajectory into it.
 void write_timing(const Manipulator& manipulator, const TimedPath& timed, PlanPathResult& result);
+
+/// Likewise of a check.
+void write_check(const Manipulator& manipulator, const ask::CheckAnswer& answer,
+                 CheckTrajectory::Response& response);
 
 /// Reads the region that a request is about: a coordinate whose ends are equal is held.
 Status read_region(const Manipulator& manipulator, const ChooseWorkingMode::Request& request,

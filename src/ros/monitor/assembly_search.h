@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ROS_MONITOR_ASSEMBLY_SEARCH_H
 
 #include "parallel_aspects/tracking/tracker.h"
-#include "parallel_aspects/urdf/passive_joints.h"
+#include "parallel_aspects/urdf/mechanism.h"
 
 #include <Eigen/Core>
 

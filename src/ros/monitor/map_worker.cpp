@@ -178,6 +178,15 @@ KnownAspects MapWorker::known() const {
 
 std::shared_ptr<const AspectMap> MapWorker::map() const { return known().map; }
 
+Status MapWorker::why_no_map() const {
+  const std::string message = progress().message;
+  const TaskSpace space = manipulator_->task_space();
+  if (!has_map(space))
+    return make_status(Status::NO_MAP, "No map exists in " + std::string(name(space)) +
+                                           ", so aspects have no ids. " + message);
+  return make_status(Status::MAP_NOT_READY, "There is no map yet. " + message);
+}
+
 std::string MapWorker::file_message() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return file_message_;

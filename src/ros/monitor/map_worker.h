@@ -6,6 +6,7 @@
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/model/manipulator.h"
+#include "ros/messages/conversions.h"
 #include "ros/monitor/known_domains.h"
 
 #include <parallel_aspects/MapProgress.h>
@@ -29,9 +30,6 @@ enum class FileUse {
   save,  ///< writes the new map to it
   load,  ///< takes the map from it if it is the one wanted; computes and writes it otherwise
 };
-
-/// Whether maps are computed in this task space; with six degrees of freedom there are roadmaps instead.
-constexpr bool has_map(TaskSpace space) noexcept { return space != TaskSpace::SE3; }
 
 /// What is in use: a map, or with six degrees of freedom a roadmap; neither until the first is complete.
 struct KnownAspects {
@@ -83,6 +81,7 @@ class MapWorker {
   MapProgress progress() const;                              ///< newest report of all
   KnownAspects known() const;                                ///< what is in use
   std::shared_ptr<const AspectMap> map() const;              ///< that of `known`
+  Status why_no_map() const;                                 ///< NO_MAP, or that there is none yet
   std::string file_message() const;                          ///< what became of the map file
   KnownDomains domains() const { return domains_.known(); }  ///< of the newest map
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/monitor/missing_state.h"
 
+#include "ask/question_parts.h"
 #include "model/message_text.h"
 #include "model/spherical_links.h"
 #include "parallel_aspects/kinematics/kinematics.h"
@@ -8,6 +9,8 @@
 #include "ros/messages/configurations.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace parallel_aspects {
 namespace {
@@ -22,6 +25,20 @@ std::string merged_joints(const JointVector& uncertainty) {
 bool is_near_singular(const std::vector<AssemblyMode>& solutions) {
   return std::any_of(solutions.begin(), solutions.end(),
                      [](const AssemblyMode& mode) { return mode.near_singular; });
+}
+
+// Why a robot with these actuated joints is not at a pose: nothing reaches it, or how far the nearest
+// assembly mode is from it.
+std::string why_not_at(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  std::string failure;
+  if (ask::configurations_at(manipulator, pose, {}, failure).empty())
+    return "It cannot be reached in any working mode. " + failure;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const AssemblyMode& solution : direct(manipulator, q).solutions)
+    nearest = std::min(nearest, anchor_distance(manipulator, pose, solution.pose));
+  return std::isfinite(nearest) ? "The nearest assembly mode of these actuated joints is " +
+                                      distance_text(manipulator, nearest) + " away."
+                                : "With these actuated joints the robot does not assemble.";
 }
 
 // What to do where the assembly mode is not known.

@@ -2,6 +2,7 @@
 //
 // How the monitor comes to know the assembly mode, as configured or as somebody states it, and forgets it.
 // How the monitor follows in which uniqueness domains the robot is, from where tracking began.
+#include "ask/question_parts.h"
 #include "ros/joint_states/joint_merger.h"
 #include "ros/messages/configurations.h"
 #include "ros/messages/hazard_messages.h"
@@ -9,7 +10,9 @@
 #include "ros/monitor/robot_monitor.h"
 
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace parallel_aspects {
 namespace {
@@ -73,9 +76,10 @@ Status RobotMonitor::start_by(const ros::Time& now, const StatedSigns& stated, c
   Tracker tracker = tracker_;
   const std::string why_not = start(tracker, seconds_between(epoch_, age_.stamp()), *last_q_);
   if (why_not.empty()) {
-    const SolvedPose found{tracker.state().pose, tracker.state().q};
-    const Status fit = as_stated(*mechanism_->manipulator(), {{}, {}, {found}}, stated).status;
-    if (fit.code != Status::OK) return fit;
+    const Manipulator& robot = *mechanism_->manipulator();
+    std::vector found{ask::configuration_of(robot, tracker.state().pose, tracker.state().q)};
+    const std::string why = ask::keep_stated(robot, stated.mode, stated.determinant_sign, found);
+    if (!why.empty()) return make_status(Status::NO_SOLUTION, why);
   }
   meanwhile_.end();
   tracker_ = std::move(tracker);

@@ -3,7 +3,6 @@
 
 #include "model/message_text.h"
 #include "ros/messages/hazard_messages.h"
-#include "ros/messages/not_a_number.h"
 #include "ros/monitor/missing_state.h"
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/tracking/tracker.h"
 #include "parallel_aspects/urdf/mechanism.h"
-#include "parallel_aspects/urdf/passive_joints.h"
 #include "ros/joint_states/joint_merger.h"
 #include "ros/joint_states/joint_name_watch.h"
 #include "ros/joint_states/joint_sample.h"

@@ -20,14 +20,9 @@ GetMap::Response MapQueries::answer(const GetMap::Request& request) const {
   response.description = setup_.description;
   response.base_frame = manipulator.base_frame();
   response.task_space = std::string(name(manipulator.task_space()));
-  if (!has_map(manipulator.task_space())) {
-    response.status = make_status(Status::NO_MAP, "There is no map of six degrees of freedom, now or later.");
-    return response;
-  }
   const std::shared_ptr<const AspectMap> map = worker_.map();
   if (!map) {
-    response.status =
-        make_status(Status::MAP_NOT_READY, "There is no map yet. " + worker_.progress().message);
+    response.status = worker_.why_no_map();
     return response;
   }
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -97,22 +92,14 @@ LargestShape message_of(const AspectMap& map, const ask::ShapeInAspect& shape) {
 
 }  // namespace
 
-WorkspaceQueries::WorkspaceQueries(ros::NodeHandle private_nh, const Manipulator& manipulator,
-                                   const MapWorker& worker)
-    : space_(manipulator.task_space()),
-      worker_(worker),
+WorkspaceQueries::WorkspaceQueries(ros::NodeHandle private_nh, const MapWorker& worker)
+    : worker_(worker),
       markers_(private_nh.advertise<visualization_msgs::MarkerArray>("regular_workspace_markers", 1, true)) {}
 
 GetRegularWorkspace::Response WorkspaceQueries::answer(const Request& request) const {
   GetRegularWorkspace::Response response;
   const std::shared_ptr<const AspectMap> map = worker_.map();
-  if (!has_map(space_))
-    response.status = make_status(Status::NO_MAP, "There is no map of six degrees of freedom, now or later.");
-  else if (!map)
-    response.status =
-        make_status(Status::MAP_NOT_READY, "There is no map yet. " + worker_.progress().message);
-  else
-    response.status = find(map, request, response);
+  response.status = map ? find(map, request, response) : worker_.why_no_map();
   return response;
 }
 

@@ -39,7 +39,7 @@ class MapQueries {
 class WorkspaceQueries {
  public:
   /// `worker` must outlive the object.
-  WorkspaceQueries(ros::NodeHandle private_nh, const Manipulator& manipulator, const MapWorker& worker);
+  WorkspaceQueries(ros::NodeHandle private_nh, const MapWorker& worker);
 
   GetRegularWorkspace::Response answer(const GetRegularWorkspace::Request& request) const;
 
@@ -50,7 +50,6 @@ class WorkspaceQueries {
   Status find(const std::shared_ptr<const AspectMap>& map, const GetRegularWorkspace::Request& request,
               GetRegularWorkspace::Response& response) const;
 
-  const TaskSpace space_;
   const MapWorker& worker_;
   ros::Publisher markers_;
   std::atomic<bool> cancelled_{false};

@@ -118,9 +118,7 @@ Status PlanServer::read_end(const Configuration& configuration, const std::strin
                            " is stated by joints or the sign of det A; give kind 0 (now) or 1 (pose), and "
                            "working_mode if one is meant.");
   if (configuration.kind == Configuration::NOW) return read_now(end);
-  const std::vector<int> signs(configuration.working_mode.begin(), configuration.working_mode.end());
-  if (std::any_of(signs.begin(), signs.end(), [](int sign) { return sign != 0; }))
-    end.mode = WorkingMode::from_signs(signs);
+  end.mode = stated_mode(configuration.working_mode);
   return read_pose(*manipulator_, to_base_, configuration.pose, which, end.pose.emplace());
 }
 

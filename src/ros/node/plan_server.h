@@ -3,10 +3,10 @@
 #define PARALLEL_ASPECTS_ROS_NODE_PLAN_SERVER_H
 
 #include "parallel_aspects/ask/plan.h"
+#include "ros/messages/configurations.h"
 #include "ros/monitor/map_worker.h"
 #include "ros/monitor/robot_monitor.h"
 #include "ros/node/guarded_input.h"
-#include "ros/node/pose_reading.h"
 #include "ros/parameters/load_options.h"
 #include "ros/plan/plan_question.h"
 

@@ -11,8 +11,10 @@
 namespace parallel_aspects {
 namespace {
 
-ConfigurationAnswer refusal(std::uint8_t code, std::string message) {
-  return {make_status(code, std::move(message)), {}, {}};
+std::uint8_t code_of(DirectStatus status) {
+  return status == DirectStatus::solved      ? Status::NO_SOLUTION
+         : status == DirectStatus::continuum ? Status::AMBIGUOUS
+                                             : Status::FAILED;
 }
 
 RoadmapComponents components_message(const RoadmapSide& side) {
@@ -55,80 +57,65 @@ Queries::Queries(std::shared_ptr<const Manipulator> manipulator, RobotMonitor& m
       read_only_(read_only),
       session_(manipulator_) {}
 
-ConfigurationAnswer Queries::resolve(const Configuration& configuration) const {
+// One session for each: it is for one thread at a time.
+Queries::Meant Queries::locate(const Configuration& configuration, const KnownAspects& known) const {
+  Meant meant;
+  ask::LocateQuestion question;
+  question.brief = true;
+  meant.status = read(configuration, question, meant.stamp);
+  if (meant.status.code != Status::OK) return meant;
+  ask::Session session(manipulator_);
+  session.know(known.map);
+  session.know(known.roadmap);
+  auto [status, problems, answer] = ask::answer(session, question);
+  meant.configurations = std::move(answer.configurations);
+  std::string& message = meant.status.message;
+  if (meant.configurations.empty())
+    meant.status = make_status(code_of(answer.status), answer.reason);
+  else if (message.empty())
+    message = beyond_limits(*manipulator_, meant.configurations.front().q);
+  if (message.empty()) message = beyond_margins(meant.configurations);
+  return meant;
+}
+
+Status Queries::read(const Configuration& configuration, ask::LocateQuestion& question,
+                     ros::Time& stamp) const {
   const std::string fault = fault_of(*manipulator_, configuration);
-  if (!fault.empty()) return refusal(Status::INVALID_REQUEST, fault);
-  StatedSigns stated = stated_signs(configuration);
-  // The working mode has chosen the joint values at a pose, also where a leg is stretched and has no sign.
-  if (configuration.kind == Configuration::POSE) stated.working_mode.clear();
-  ConfigurationAnswer answer = as_stated(*manipulator_, resolve_kind(configuration), stated);
-  if (answer.status.code == Status::OK && answer.status.message.empty())
-    answer.status.message = beyond_limits(*manipulator_, answer.configurations.front().q);
-  if (answer.status.code == Status::OK && answer.status.message.empty())
-    answer.status.message = beyond_margins(*manipulator_, answer.configurations);
-  return answer;
-}
-
-ConfigurationAnswer Queries::resolve_kind(const Configuration& configuration) const {
-  if (configuration.kind == Configuration::NOW) return resolve_now();
-  return configuration.kind == Configuration::POSE ? resolve_pose(configuration)
-                                                   : resolve_joints(configuration);
-}
-
-ConfigurationAnswer Queries::resolve_now() const {
-  const CurrentConfiguration current = monitor_.current(ros::Time::now());
-  ConfigurationAnswer answer{current.status, current.stamp, {}};
-  if (current.status.code == Status::OK) answer.configurations = {current.solved};
-  return answer;
-}
-
-ConfigurationAnswer Queries::resolve_pose(const Configuration& configuration) const {
-  Pose pose;
-  const Status read = read_pose(*manipulator_, to_base_, configuration.pose, "The pose", pose);
-  if (read.code != Status::OK) return refusal(read.code, read.message);
-  ConfigurationAnswer answer = configurations_at_pose(*manipulator_, pose, configuration.working_mode);
-  answer.stamp = ros::Time::now();
-  if (answer.status.code == Status::OK && !read.message.empty()) answer.status.message = read.message;
-  return answer;
-}
-
-ConfigurationAnswer Queries::resolve_joints(const Configuration& configuration) const {
+  if (!fault.empty()) return invalid_request(fault);
+  const StatedSigns stated = stated_signs(configuration);
+  question.mode = stated.mode;
+  if (stated.determinant_sign != 0)
+    question.sign = stated.determinant_sign > 0 ? ask::Sign::plus : ask::Sign::minus;
+  stamp = ros::Time::now();
+  if (configuration.kind == Configuration::POSE)
+    return read_pose(*manipulator_, to_base_, configuration.pose, "The pose", question.pose.emplace());
+  if (configuration.kind == Configuration::NOW) {
+    const CurrentConfiguration current = monitor_.current(stamp);
+    stamp = current.stamp;
+    question.pose = current.solved.pose;
+    question.joints = current.solved.q;
+    return current.status;
+  }
   const JointSample sample =
       actuated_values(*manipulator_, configuration.joint_names, configuration.joint_positions);
-  if (sample.status != SampleStatus::usable)
-    return refusal(Status::INVALID_REQUEST, "The joints cannot be used: " + sample.message);
-  ConfigurationAnswer answer = configurations_at_joints(*manipulator_, sample.q);
-  answer.stamp = ros::Time::now();
-  return answer;
+  question.joints = sample.q;
+  return sample.status == SampleStatus::usable
+             ? Status()
+             : invalid_request("The joints cannot be used: " + sample.message);
 }
 
-std::vector<SolvedConfiguration> Queries::solutions(const ConfigurationAnswer& answer,
-                                                    const KnownAspects& known) const {
-  std::vector<SolvedConfiguration> messages;
-  for (const SolvedPose& solved : answer.configurations) {
-    messages.push_back(solved_message(*manipulator_, solved, known.map.get(), answer.stamp));
-    if (!has_map(manipulator_->task_space()))
-      report_component(*manipulator_, solved, known.roadmap.get(), messages.back());
-  }
-  return messages;
-}
-
-// With OK and NO_MAP there is something to answer.
-Status Queries::map_status(const KnownAspects& known) const {
-  if (known.map) return {};
-  const std::string message = worker_.progress().message;
-  if (!has_map(manipulator_->task_space()))
-    return make_status(Status::NO_MAP, "No map exists in " + std::string(name(manipulator_->task_space())) +
-                                           ", so aspects have no ids. " + message);
-  return make_status(Status::MAP_NOT_READY, message.empty() ? "The map is about to be computed." : message);
+std::vector<SolvedConfiguration> Queries::messages(const Meant& meant) const {
+  std::vector<SolvedConfiguration> all;
+  for (const ask::LocatedConfiguration& each : meant.configurations)
+    all.push_back(solved_message(*manipulator_, each, meant.stamp));
+  return all;
 }
 
 GetWorkingMode::Response Queries::answer(const GetWorkingMode::Request& request) const {
-  const KnownAspects known = worker_.known();
-  const ConfigurationAnswer found = resolve(request.configuration);
+  const Meant meant = locate(request.configuration, worker_.known());
   GetWorkingMode::Response response;
-  response.status = found.status;
-  response.solutions = solutions(found, known);
+  response.status = meant.status;
+  response.solutions = messages(meant);
   return response;
 }
 
@@ -136,22 +123,20 @@ GetCurrentAspect::Response Queries::answer(const GetCurrentAspect::Request& requ
   const KnownAspects known = worker_.known();
   GetCurrentAspect::Response response;
   response.proved_count = known.proved_count();
-  response.status = map_status(known);
+  if (!known.map) response.status = worker_.why_no_map();  // NO_MAP: there is something to answer
   if (response.status.code == Status::MAP_NOT_READY) return response;
-  const ConfigurationAnswer found = resolve(request.configuration);
-  if (known.map || found.status.code != Status::OK) response.status = found.status;
-  response.solutions = solutions(found, known);
+  const Meant meant = locate(request.configuration, known);
+  if (known.map || meant.status.code != Status::OK) response.status = meant.status;
+  response.solutions = messages(meant);
   return response;
 }
 
 GetSingularityDistance::Response Queries::answer(const GetSingularityDistance::Request& request) const {
-  const auto map = worker_.map();
-  const ConfigurationAnswer found = resolve(request.configuration);
+  const Meant meant = locate(request.configuration, worker_.known());
   GetSingularityDistance::Response response;
-  response.status = found.status;
-  for (const SolvedPose& solved : found.configurations)
-    response.reports.push_back(
-        report_message(*manipulator_, solved, distances(solved), map.get(), found.stamp));
+  response.status = meant.status;
+  for (const ask::LocatedConfiguration& each : meant.configurations)
+    response.reports.push_back(report_message(*manipulator_, each, distances(each), meant.stamp));
   return response;
 }
 
@@ -170,13 +155,13 @@ ListAspects::Response Queries::answer(const ListAspects::Request& request) const
   ListAspects::Response response;
   response.count_at_most = -1;
   response.proved_count = known.proved_count();
-  response.status = map_status(known);
+  if (!known.map) response.status = worker_.why_no_map();  // NO_MAP: there is something to answer
   if (response.status.code == Status::MAP_NOT_READY) return response;
-  ConfigurationAnswer found;
-  if (request.at_configuration) found = resolve(request.configuration);
-  if (known.map || found.status.code != Status::OK) response.status = found.status;
-  if (found.status.code != Status::OK) return response;
-  const auto at = solutions(found, known);
+  Meant meant;
+  if (request.at_configuration) meant = locate(request.configuration, known);
+  if (known.map || meant.status.code != Status::OK) response.status = meant.status;
+  if (meant.status.code != Status::OK) return response;
+  const auto at = messages(meant);
   if (known.map) list_aspects(*manipulator_, *known.map, request, at, response);
   if (!known.roadmap) return response;
   for (const RoadmapSide& side : known.roadmap->sides()) {
@@ -187,12 +172,11 @@ ListAspects::Response Queries::answer(const ListAspects::Request& request) const
 }
 
 // Where B_jj = 0 the working mode has no distances.
-BoundaryDistances Queries::distances(const SolvedPose& solved) const {
-  const auto mode = working_mode(*manipulator_, solved.pose, solved.q);
-  if (!mode) return {};
+BoundaryDistances Queries::distances(const ask::LocatedConfiguration& located) const {
+  if (!located.mode) return {};
   ask::DistanceQuestion question;
-  question.pose = solved.pose;
-  question.mode = *mode;
+  question.pose = located.pose;
+  question.mode = located.mode;
   const std::lock_guard<std::mutex> lock(session_mutex_);
   session_.know(worker_.known().distances_of(manipulator_));
   return ask::answer(session_, question).answer.answers.front().distances;
@@ -214,23 +198,23 @@ Status Queries::start(const Configuration& configuration) const {
     const auto pose = pose_from_base(*manipulator_, *in_base);
     return pose ? monitor_.start_near(*pose, now, stated) : invalid_request("The pose must be finite.");
   }
-  const ConfigurationAnswer found = resolve(configuration);
-  if (found.status.code != Status::OK) return found.status;
-  if (found.configurations.size() != 1)
+  const Meant meant = locate(configuration, {});
+  if (meant.status.code != Status::OK) return meant.status;
+  if (meant.configurations.size() != 1)
     return make_status(
         Status::INVALID_REQUEST,
         "More than one assembly mode is meant; set determinant_sign to 1 or -1, or, where that "
         "was done, give a pose (kind 1).");
-  return monitor_.start_near(found.configurations.front().pose, now, stated);
+  return monitor_.start_near(meant.configurations.front().pose, now, stated);
 }
 
 SetAssemblyMode::Response Queries::answer(const SetAssemblyMode::Request& request) const {
   SetAssemblyMode::Response response;
   response.status = read_only_ ? refused_as_read_only() : start(request.configuration);
   if (response.status.code != Status::OK) return response;
-  const ConfigurationAnswer now = resolve_now();
+  const Meant now = locate({}, worker_.known());
   response.status = now.status;
-  response.solutions = solutions(now, worker_.known());
+  response.solutions = messages(now);
   return response;
 }
 

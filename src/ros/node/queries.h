@@ -2,12 +2,12 @@
 #ifndef PARALLEL_ASPECTS_ROS_NODE_QUERIES_H
 #define PARALLEL_ASPECTS_ROS_NODE_QUERIES_H
 
+#include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
 #include "ros/messages/configurations.h"
 #include "ros/messages/conversions.h"
 #include "ros/monitor/map_worker.h"
 #include "ros/monitor/robot_monitor.h"
-#include "ros/node/pose_reading.h"
 
 #include <parallel_aspects/Configuration.h>
 #include <parallel_aspects/GetCurrentAspect.h>
@@ -40,16 +40,18 @@ class Queries {
   SetAssemblyMode::Response answer(const SetAssemblyMode::Request& request) const;
 
  private:
-  ConfigurationAnswer resolve(const Configuration& configuration) const;
-  ConfigurationAnswer resolve_kind(const Configuration& configuration) const;
-  ConfigurationAnswer resolve_now() const;
-  ConfigurationAnswer resolve_pose(const Configuration& configuration) const;
-  ConfigurationAnswer resolve_joints(const Configuration& configuration) const;
+  /// The configurations that a request means.
+  struct Meant {
+    Status status;    ///< OK with at least one configuration, or why there is none
+    ros::Time stamp;  ///< of them
+    std::vector<ask::LocatedConfiguration> configurations;
+  };
+
+  Meant locate(const Configuration& configuration, const KnownAspects& known) const;
+  Status read(const Configuration& configuration, ask::LocateQuestion& question, ros::Time& stamp) const;
   Status start(const Configuration& configuration) const;
-  std::vector<SolvedConfiguration> solutions(const ConfigurationAnswer& answer,
-                                             const KnownAspects& known) const;
-  Status map_status(const KnownAspects& known) const;
-  BoundaryDistances distances(const SolvedPose& solved) const;
+  std::vector<SolvedConfiguration> messages(const Meant& meant) const;
+  BoundaryDistances distances(const ask::LocatedConfiguration& located) const;
 
   std::shared_ptr<const Manipulator> manipulator_;
   RobotMonitor& monitor_;

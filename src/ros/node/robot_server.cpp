@@ -58,12 +58,10 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
           setup_.mechanism->manipulator(), monitor_, worker_,
           [this](const auto& pose, std::string& message) { return to_base(pose, message); },
           setup_.options.read_only),
-      choices_(setup_.mechanism->mapped_manipulator(), worker_,
+      motions_(setup_.mechanism->mapped_manipulator(), monitor_, worker_,
                [this](const auto& pose, std::string& message) { return to_base(pose, message); }),
-      checks_(setup_.mechanism->mapped_manipulator(), monitor_,
-              [this](const auto& pose, std::string& message) { return to_base(pose, message); }),
       maps_(setup_, worker_),
-      workspaces_(service_nh_, *setup_.mechanism->mapped_manipulator(), worker_),
+      workspaces_(service_nh_, worker_),
       frame_watch_(setup_.options.frame_prefix + "/", setup_.mechanism->link_names()),
       diagnostics_(on_queue(nh, service_queue_), service_nh_, *setup_.mechanism->manipulator(), monitor_,
                    worker_, frame_watch_),
@@ -123,9 +121,9 @@ void RobotServer::advertise() {
   serve<GetMap>("get_map", maps_);
   serve<GetRegularWorkspace>("get_regular_workspace", workspaces_);
   serve<SetAssemblyMode>("set_assembly_mode", queries_);
-  serve<ChooseWorkingMode>("choose_working_mode", choices_);
-  serve<Connect>("connect", choices_);
-  serve<CheckTrajectory>("check_trajectory", checks_);
+  serve<ChooseWorkingMode>("choose_working_mode", motions_);
+  serve<Connect>("connect", motions_);
+  serve<CheckTrajectory>("check_trajectory", motions_);
   compute_map_ = std::make_unique<ComputeMapServer>(
       goals_.server_handle(), "compute_map",
       [this](const ComputeMapGoalConstPtr& goal) { on_compute_map(goal); }, false);

@@ -6,12 +6,11 @@
 #include "ros/monitor/frame_watch.h"
 #include "ros/monitor/map_worker.h"
 #include "ros/monitor/robot_monitor.h"
-#include "ros/node/check_queries.h"
-#include "ros/node/choice_queries.h"
 #include "ros/node/diagnostics.h"
 #include "ros/node/guarded_input.h"
 #include "ros/node/log_queue.h"
 #include "ros/node/map_queries.h"
+#include "ros/node/motion_queries.h"
 #include "ros/node/plan_server.h"
 #include "ros/node/queries.h"
 #include "ros/parameters/load_options.h"
@@ -106,8 +105,7 @@ class RobotServer {
   MapWorker worker_;
   std::atomic<MapWorker::Job> first_map_{0};  // that the node computes at its start
   Queries queries_;
-  ChoiceQueries choices_;
-  CheckQueries checks_;
+  MotionQueries motions_;
   MapQueries maps_;
   WorkspaceQueries workspaces_;
   FrameWatch frame_watch_;

@@ -8,7 +8,7 @@
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/tracking/hazards.h"
 #include "parallel_aspects/tracking/tracker.h"
-#include "parallel_aspects/urdf/passive_joints.h"
+#include "parallel_aspects/urdf/mechanism.h"
 
 #include <optional>
 #include <string>

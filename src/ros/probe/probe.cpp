@@ -2,6 +2,7 @@
 #include "ros/probe/probe.h"
 
 #include "parallel_aspects/kinematics/kinematics.h"
+#include "ros/messages/configurations.h"
 #include "ros/pictures/marker_batch.h"
 #include "ros/pictures/marker_colors.h"
 #include "ros/pictures/scene.h"
@@ -35,15 +36,6 @@ ProbeQuestion question_at_start(const Mechanism& mechanism, const StartOptions& 
   for (const InverseSolution& solution : inverse_in_all_modes(robot, question.wanted))
     if (solution) question.mode = solution.mode;
   return question;
-}
-
-// One that the kinds of its legs allow; nothing for other signs.
-std::optional<WorkingMode> mode_of(const Manipulator& robot, const std::vector<std::int8_t>& signs) {
-  const auto mode = WorkingMode::from_signs({signs.begin(), signs.end()});
-  if (!mode || mode->leg_count() != robot.leg_count()) return std::nullopt;
-  for (std::size_t j = 0; j < robot.leg_count(); ++j)
-    if (!robot.leg(j).has_branch(mode->sign(j))) return std::nullopt;
-  return mode;
 }
 
 }  // namespace
@@ -159,7 +151,8 @@ void Probe::want_pose(const geometry_msgs::Pose& pose, const std::string& from, 
 }
 
 void Probe::want_mode(const std_msgs::Int8MultiArray& message) {
-  if (const auto mode = mode_of(robot_, message.data)) return set_mode(*mode);
+  const auto mode = stated_mode(message.data);
+  if (mode && is_mode_of(robot_, message.data)) return set_mode(*mode);
   std::string modes;
   for (const WorkingMode& mode : working_modes(robot_)) {
     if (modes.size() > 100) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/probe/probe_solver.h"
 
+#include "ask/question_parts.h"
 #include "model/spherical_links.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/messages/configurations.h"
-#include "ros/messages/not_a_number.h"
+#include "ros/messages/conversions.h"
 
 #include <cmath>
 #include <utility>
@@ -103,15 +104,15 @@ ProbeFinding ProbeSolver::find(const ProbeQuestion& question, const KnownAspects
 }
 
 void ProbeSolver::fill_report(const KnownAspects& known, ProbeFinding& finding) {
-  const SolvedPose solved{finding.reached->pose, finding.reached->q};
+  ask::LocatedConfiguration located =
+      ask::configuration_of(*manipulator_, finding.reached->pose, finding.reached->q);
+  ask::locate_in(*manipulator_, known.map.get(), known.roadmap.get(), located);
   meter_.use(known.distances_of(manipulator_));
-  finding.distances = meter_.measure(solved.pose, finding.question.mode);
+  finding.distances = meter_.measure(located.pose, finding.question.mode);
   finding.state.report =
-      report_message(*manipulator_, solved, finding.distances, known.map.get(), finding.state.header.stamp);
+      report_message(*manipulator_, located, finding.distances, finding.state.header.stamp);
   if (const std::uint32_t id = finding.state.report.configuration.aspect; known.map && id > 0)
     finding.color = aspect_colors(known.map->aspects())[id - 1];
-  if (!has_map(manipulator_->task_space()))
-    report_component(*manipulator_, solved, known.roadmap.get(), finding.state.report.configuration);
 }
 
 std::string fault_of(const geometry_msgs::Pose& pose) {

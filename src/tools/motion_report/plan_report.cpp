@@ -4,9 +4,7 @@
 #include "model/message_text.h"
 #include "model/task_space_traits.h"
 #include "motion/choose/plan_around_cusp.h"
-#include "tools/report/answer_json.h"
 #include "tools/report/constraints_report.h"
-#include "tools/report/option_name.h"
 #include "tools/report/report.h"
 
 #include <cstdlib>
@@ -80,13 +78,11 @@ std::string changes_text(const Manipulator& robot, const ChangingPath& path) {
 }  // namespace
 
 Report report_choice(const Manipulator& robot, const ask::ChooseAnswer& answer) {
-  Report report{answer_json(robot, answer), ""};
-  report.json["mechanism"] = robot.name();
-  const Report constraints = report_constraints(robot);
-  report.json.update(constraints.json);
-  report.text = robot.name() + (answer.box ? ", t-connected: " : ", can be done: ") + name(answer.verdict()) +
-                "\n" + answer.reason() + "\n" + pair_apart_text(robot.task_space(), answer) + "\n" +
-                modes_text(robot, answer) + "\n" + constraints.text;
+  Report report = constrained_report(robot, answer,
+                                     robot.name() + (answer.box ? ", t-connected: " : ", can be done: ") +
+                                         name(answer.verdict()) + "\n" + answer.reason() + "\n" +
+                                         pair_apart_text(robot.task_space(), answer) + "\n" +
+                                         modes_text(robot, answer) + "\n");
   if (answer.with_changes) report.text += changes_text(robot, *answer.with_changes);
   return report;
 }

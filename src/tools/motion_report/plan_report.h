@@ -3,8 +3,8 @@
 #define PARALLEL_ASPECTS_TOOLS_MOTION_REPORT_PLAN_REPORT_H
 
 #include "parallel_aspects/ask/choose.h"
+#include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/ask/plan.h"
-#include "parallel_aspects/aspects/connectivity.h"
 #include "parallel_aspects/motion/plan_path.h"
 #include "tools/report/report.h"
 
@@ -16,15 +16,11 @@ namespace parallel_aspects::tools {
 Report report_choice(const Manipulator& robot, const ask::ChooseAnswer& answer);
 
 /// `aspects graph`: gates, and the sets of aspects that they join.
-Report report_graph(const AspectMap& map, const AspectGraph& graph);
-
-/// The same over a roadmap, whose components are the nodes.
-Report report_graph(const PoseRoadmap& roadmap, const RoadmapGraph& found);
+Report report_graph(const Manipulator& robot, const ask::GraphAnswer& answer);
 
 /// The graph in the language of Graphviz: a node for each aspect, a box for each set, an edge for each gate;
 /// those that are not proved are dashed, and those through det A = 0 red.
-std::string graph_as_dot(const AspectMap& map, const AspectGraph& graph);
-std::string graph_as_dot(const RoadmapGraph& found);
+std::string graph_as_dot(const ask::GraphAnswer& answer);
 
 /// `aspects plan`: why there is a path, or none.
 std::string reason_text(const Manipulator& robot, const ask::PlanAnswer& answer);

@@ -2,7 +2,6 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_REPORT_ANSWER_JSON_H
 #define PARALLEL_ASPECTS_TOOLS_REPORT_ANSWER_JSON_H
 
-#include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
@@ -74,12 +73,8 @@ class JsonWriter {
   nlohmann::json json_of(const std::vector<ask::NamedRange>& ranges) const;  ///< "lower" and "upper" of all
   nlohmann::json json_of(ask::LegIndex leg) const { return robot_.leg(leg.index).name; }
   nlohmann::json json_of(const MapSlice& slice) const;
-  nlohmann::json json_of(const CuspStart& start) const;
   nlohmann::json json_of(const WorkingMode& mode) const { return mode.signs(); }
   nlohmann::json json_of(const Pose& pose) const;
-  nlohmann::json json_of(const ask::IndexBottleneck& bottleneck) const;
-  nlohmann::json json_of(const PathPoint& point) const;
-  nlohmann::json json_of(const PathCrossing& crossing) const;
   nlohmann::json json_of(const TimedPath& timed) const;
 
  private:

@@ -130,13 +130,6 @@ void add_persistence(const AspectMap& map, const MapBasins& basins, Report& repo
   report.text += persistence_text(map, basins);
 }
 
-json json_bottleneck(ParallelIndex index, const Bottleneck& bottleneck) {
-  if (bottleneck.status != BottleneckStatus::found) return nullptr;
-  json object = json_range(bottleneck.index);
-  object["index"] = name(index);
-  return object;
-}
-
 std::string bottleneck_text(ParallelIndex index, const Bottleneck& bottleneck) {
   if (bottleneck.status != BottleneckStatus::found) return bottleneck.message;
   const BottleneckPrecision aim;

@@ -23,7 +23,6 @@ void add_depths(const AspectMap& map, const MapBasins& basins, Report& report);
 void add_persistence(const AspectMap& map, const MapBasins& basins, Report& report);
 
 /// `aspects connect`: the largest index that a path can keep.
-nlohmann::json json_bottleneck(ParallelIndex index, const Bottleneck& bottleneck);
 std::string bottleneck_text(ParallelIndex index, const Bottleneck& bottleneck);
 
 }  // namespace parallel_aspects::tools

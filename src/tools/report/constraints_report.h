@@ -4,7 +4,10 @@
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/model/manipulator.h"
+#include "tools/report/answer_json.h"
 #include "tools/report/report.h"
+
+#include <string>
 
 namespace parallel_aspects::tools {
 
@@ -15,6 +18,15 @@ Report report_bounds(const AspectMap& map, bool verbose = false);
 /// Which constraints bound the aspects of a manipulator: the last lines of `aspects connect` and of roadmaps,
 /// and fields of their objects.
 Report report_constraints(const Manipulator& manipulator, bool verbose = false);
+
+/// An answer: its fields, and the text with the constraints below it.
+template <class Answer>
+Report constrained_report(const Manipulator& robot, const Answer& answer, const std::string& text) {
+  Report constraints = report_constraints(robot), report{answer_json(robot, answer), text + constraints.text};
+  report.json["mechanism"] = robot.name();
+  report.json.update(constraints.json);
+  return report;
+}
 
 /// The cones that the rods of a manipulator must stay in, those of universal joints among them: a list, and
 /// a line each, or where it is not `verbose` one for all of the same angle.

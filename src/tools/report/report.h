@@ -107,6 +107,10 @@ class TextTable {
 /// {"held", "axis", "free"}: what is held and what is free; null where there is no slice.
 nlohmann::json json_slice(const std::optional<MapSlice>& slice);
 
+/// The option of a field: "around_cusp" is --around-cusp. The ends of a path are --from and --to, of which
+/// the first is no name in Python.
+std::string option_name(const std::string& field);
+
 }  // namespace parallel_aspects::tools
 
 #endif  // PARALLEL_ASPECTS_TOOLS_REPORT_REPORT_H

@@ -10,7 +10,6 @@
 #include "tools/output_file.h"
 #include "tools/paths/trajectory_file.h"
 #include "tools/question_options.h"
-#include "tools/report/answer_json.h"
 #include "tools/report/constraints_report.h"
 #include "tools/report/report.h"
 #include "tools/report/reports.h"
@@ -25,11 +24,8 @@
 namespace parallel_aspects::tools {
 namespace {
 
-struct CheckArguments {
-  RobotChoice robot;
+struct CheckArguments : QuestionArguments {
   std::string path, trajectory, csv_file, picture_file;
-  QuestionTexts texts;
-  ConstraintArguments constraints;
 };
 
 /// What is infinite was not sampled, or is not limited.
@@ -122,17 +118,12 @@ Report run(const CheckArguments& arguments, const Surroundings& surroundings) {
   Problems problems;
   check_output_file("--csv", arguments.csv_file, problems);
   check_output_file("--picture", arguments.picture_file, problems);
-  const auto mechanism = load_robot(arguments.robot, std::move(problems));
-  const auto robot = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
+  const auto robot = robot_of(arguments, std::move(problems));
   const ask::CheckAnswer answer = asked(robot, read(arguments, *robot), surroundings);
   const TrajectoryCheck& check = answer.check;
-  const Report constraints = report_constraints(*robot);
-  Report report{
-      answer_json(*robot, answer),
-      check_text(*robot, check, answer.from) + '\n' + constraints.text + distances_text(*robot, answer),
-      code_of(*robot, check)};
-  report.json["mechanism"] = robot->name();
-  report.json.update(constraints.json);
+  Report report = constrained_report(*robot, answer, check_text(*robot, check, answer.from) + '\n');
+  report.text += distances_text(*robot, answer);
+  report.exit_code = code_of(*robot, check);
   if (!arguments.csv_file.empty())
     write_output_file("Table", arguments.csv_file, check_csv(*robot, check, answer.distances));
   if (!arguments.picture_file.empty())
@@ -144,22 +135,33 @@ Report run(const CheckArguments& arguments, const Surroundings& surroundings) {
 
 Subcommand check_subcommand() {
   const auto arguments = std::make_shared<CheckArguments>();
-  std::vector<Option> options = robot_options(arguments->robot);
-  options.push_back(path_option(arguments->path));
-  options.push_back(
-      {"--trajectory", "FILE",
-       "Values of the actuated joints: a trajectory_msgs/JointTrajectory in YAML, as rostopic prints it; or "
-       "CSV with a header of time and their names, NAME/velocity and NAME/acceleration where known",
-       &arguments->trajectory, false, Words::one, FileUse::read});
-  for (const Option& option : question_options<ask::CheckQuestion>(arguments->texts))
-    options.push_back(option);
-  options.push_back({"--csv", "FILE", "Write time, pose, joints and indices of every sample as CSV",
-                     &arguments->csv_file, false, Words::one, FileUse::written});
-  options.push_back({"--picture", "FILE", "Draw indices and distances over time as SVG",
-                     &arguments->picture_file, false, Words::one, FileUse::written});
-  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
-  return {"check", "Tell whether a trajectory is safe at every time", options,
-          [arguments](const Surroundings& surroundings) { return run(*arguments, surroundings); }};
+  const Option trajectory{
+      "--trajectory",
+      "FILE",
+      "Values of the actuated joints: a trajectory_msgs/JointTrajectory in YAML, as rostopic prints it; or "
+      "CSV "
+      "with a header of time and their names, NAME/velocity and NAME/acceleration where known",
+      &arguments->trajectory,
+      false,
+      Words::one,
+      FileUse::read};
+  const Option table{"--csv",
+                     "FILE",
+                     "Write time, pose, joints and indices of every sample as CSV",
+                     &arguments->csv_file,
+                     false,
+                     Words::one,
+                     FileUse::written};
+  const Option picture{"--picture",
+                       "FILE",
+                       "Draw indices and distances over time as SVG",
+                       &arguments->picture_file,
+                       false,
+                       Words::one,
+                       FileUse::written};
+  return question_subcommand<ask::CheckQuestion>("check", "Tell whether a trajectory is safe at every time",
+                                                 arguments, run, {path_option(arguments->path), trajectory},
+                                                 {table, picture});
 }
 
 }  // namespace parallel_aspects::tools

@@ -13,12 +13,8 @@
 namespace parallel_aspects::tools {
 namespace {
 
-struct ChooseArguments {
-  RobotChoice robot;
+struct ChooseArguments : QuestionArguments {
   std::string path;
-  QuestionTexts texts;
-  QuestionFlags flags;
-  ConstraintArguments constraints;
 };
 
 int code_of(TrajectoryAnswer answer) {
@@ -28,8 +24,7 @@ int code_of(TrajectoryAnswer answer) {
 }
 
 Report report_of(const ChooseArguments& arguments, const Surroundings& surroundings) {
-  const auto mechanism = load_robot(arguments.robot);
-  const auto robot = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
+  const auto robot = robot_of(arguments);
   auto question = understood<ask::ChooseQuestion>(*robot, arguments.texts, arguments.flags);
   if (!arguments.path.empty()) question.path = read_pose_waypoints(robot->task_space(), arguments.path);
   const ask::ChooseAnswer answer = asked(robot, question, surroundings);
@@ -43,15 +38,9 @@ Report report_of(const ChooseArguments& arguments, const Surroundings& surroundi
 
 Subcommand choose_subcommand() {
   const auto arguments = std::make_shared<ChooseArguments>();
-  std::vector<Option> options = robot_options(arguments->robot);
-  options.push_back(path_option(arguments->path));
-  for (const Option& option : question_options<ask::ChooseQuestion>(arguments->texts))
-    options.push_back(option);
-  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
-  return {"choose", "Tell in which working modes a tool path or a region can be done, the best first",
-          options,
-          [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); },
-          question_flags<ask::ChooseQuestion>(arguments->flags)};
+  return question_subcommand<ask::ChooseQuestion>(
+      "choose", "Tell in which working modes a tool path or a region can be done, the best first", arguments,
+      report_of, {path_option(arguments->path)}, {});
 }
 
 }  // namespace parallel_aspects::tools

@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/spherical_links.h"
 #include "parallel_aspects/ask/connect.h"
-#include "tools/arguments.h"
 #include "tools/question_options.h"
-#include "tools/report/answer_json.h"
 #include "tools/report/basins_report.h"
 #include "tools/report/constraints_report.h"
 #include "tools/report/report.h"
 #include "tools/subcommands.h"
 
-#include <memory>
 #include <string>
 
 namespace parallel_aspects::tools {
 namespace {
-
-struct ConnectArguments {
-  RobotChoice robot;
-  QuestionTexts texts;
-  ConstraintArguments constraints;
-};
 
 /// A distance that is proved.
 std::string clearance_text(const Manipulator& robot, double lower) {
@@ -63,29 +54,42 @@ std::string slice_text(const ask::ConnectAnswer& answer) {
          ": aspects of the slice, of which two may be joined outside of it\n" + moved;
 }
 
-Report report_of(const ConnectArguments& arguments, const Surroundings& surroundings) {
-  const auto mechanism = load_robot(arguments.robot);
-  const auto robot = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
-  const ask::ConnectAnswer answer =
-      asked(robot, understood<ask::ConnectQuestion>(*robot, arguments.texts), surroundings);
-  Report report{answer_json(*robot, answer), connection_text(*robot, answer)};
-  report.json["mechanism"] = robot->name();
-  const Report constraints = report_constraints(*robot);
-  report.json.update(constraints.json);
-  report.text += '\n' + constraints.text + slice_text(answer);
+Report connect_report(const Manipulator& robot, const ask::ConnectQuestion& /*question*/,
+                      const ask::ConnectAnswer& answer) {
+  Report report = constrained_report(robot, answer, connection_text(robot, answer) + '\n');
+  report.text += slice_text(answer);
+  return report;
+}
+
+std::string aspect_text(const ask::LocatedConfiguration& each) {
+  if (each.component) return "component " + std::to_string(*each.component + 1);
+  if (!each.location) return "-";
+  return *each.location ? std::to_string(each.location->aspect) : name(each.location->status);
+}
+
+Report locate_report(const Manipulator& robot, const ask::LocateQuestion& question,
+                     const ask::LocateAnswer& answer) {
+  TextTable table({"pose", "working mode", "det A", "actuated joints", ">aspect", ""});
+  for (const ask::LocatedConfiguration& each : answer.configurations)
+    table.add({to_string(robot.task_space(), each.pose), each.mode ? to_string(*each.mode) : "B_jj = 0",
+               shown_sign(each.determinant_sign), shown(each.q), aspect_text(each),
+               each.within_limits ? each.missed_margins : "outside joint limits"});
+  const std::string text = answer.reason.empty() ? table.text() : answer.reason + "\n";
+  Report report = constrained_report(robot, answer, robot.name() + "\n\n" + text + '\n');
+  report.text += source_text(question.map, answer.loaded.value_or(false));
   return report;
 }
 
 }  // namespace
 
 Subcommand connect_subcommand() {
-  const auto arguments = std::make_shared<ConnectArguments>();
-  std::vector<Option> options = robot_options(arguments->robot);
-  for (const Option& option : question_options<ask::ConnectQuestion>(arguments->texts))
-    options.push_back(option);
-  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
-  return {"connect", "Tell whether two poses lie in one aspect, with a certified path", options,
-          [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); }};
+  return question_subcommand("connect", "Tell whether two poses lie in one aspect, with a certified path",
+                             connect_report);
+}
+
+Subcommand locate_subcommand() {
+  return question_subcommand("locate", "Tell which aspects hold a pose, or values of the actuated joints",
+                             locate_report);
 }
 
 }  // namespace parallel_aspects::tools

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/spherical_links.h"
 #include "parallel_aspects/ask/distance.h"
-#include "tools/map_choice.h"
 #include "tools/question_options.h"
 #include "tools/report/answer_json.h"
 #include "tools/report/report.h"

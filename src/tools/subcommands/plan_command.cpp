@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ask/plan.h"
 #include "tools/arguments.h"
-#include "tools/map_choice.h"
 #include "tools/motion_report/plan_report.h"
 #include "tools/output_file.h"
 #include "tools/paths/trajectory_text.h"
 #include "tools/question_options.h"
-#include "tools/report/answer_json.h"
 #include "tools/report/constraints_report.h"
 #include "tools/subcommands.h"
 
@@ -18,11 +16,8 @@
 namespace parallel_aspects::tools {
 namespace {
 
-struct PlanArguments {
-  RobotChoice robot;
-  QuestionTexts texts;
+struct PlanArguments : QuestionArguments {
   std::string trajectory_file;
-  ConstraintArguments constraints;
 };
 
 bool ends_with(const std::string& text, const std::string& ending) {
@@ -30,12 +25,9 @@ bool ends_with(const std::string& text, const std::string& ending) {
          text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-/// A map may be loaded from the file that it is saved to.
-void check_files(const PlanArguments& arguments, const ask::MapSource& map, Problems& problems) {
-  const std::string& file = arguments.trajectory_file;
+void check_trajectory_file(const std::string& file, Problems& problems) {
   if (!file.empty() && !ends_with(file, ".csv") && !ends_with(file, ".yaml"))
     problems.push_back("--trajectory names '" + file + "'; give a file that ends in .csv or .yaml.");
-  check_map_output("--save", map.save, problems);
   check_output_file("--trajectory", file, problems);
 }
 
@@ -45,7 +37,7 @@ ask::PlanQuestion read(const PlanArguments& arguments, const Manipulator& robot)
     refuse_other_bounds(arguments.constraints, robot, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   auto question = read_question<ask::PlanQuestion>(robot, arguments.texts, problems);
-  check_files(arguments, question.map, problems);
+  check_trajectory_file(arguments.trajectory_file, problems);
   if (!arguments.trajectory_file.empty()) question.timed_for = "{trajectory}";
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return question;
@@ -92,18 +84,15 @@ void write_trajectory(const PlanArguments& arguments, const Manipulator& robot, 
 }
 
 Report report_of(const PlanArguments& arguments, const Surroundings& surroundings) {
-  const auto mechanism = load_robot(arguments.robot);
-  const auto robot = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
+  const auto robot = robot_of(arguments);
   const ask::PlanQuestion question = read(arguments, *robot);
   ask::Session session = session_of(arguments, robot);
   const ask::PlanAnswer answer =
       required(ask::answer(session, question, ShownAnswering(surroundings).control()));
-  Report report{answer_json(*robot, answer), plan_text(*robot, answer), code_of(answer.path.answer)};
-  report.json["mechanism"] = robot->name();
-  const Report constraints = report_constraints(*robot);
-  report.json.update(constraints.json);
+  Report report = constrained_report(*robot, answer, plan_text(*robot, answer) + '\n');
+  report.exit_code = code_of(answer.path.answer);
   report.json["reason"] = reason_text(*robot, answer);
-  report.text += '\n' + constraints.text + turns_text(answer);
+  report.text += turns_text(answer);
   if (answer.map) report.text += source_text(question.map, answer.loaded);
   report.text += text_after(*robot, answer);
   write_trajectory(arguments, *robot, answer, surroundings, report);
@@ -114,16 +103,12 @@ Report report_of(const PlanArguments& arguments, const Surroundings& surrounding
 
 Subcommand plan_subcommand() {
   const auto arguments = std::make_shared<PlanArguments>();
-  std::vector<Option> options = robot_options(arguments->robot);
-  for (const Option& option : question_options<ask::PlanQuestion>(arguments->texts))
-    options.push_back(option);
-  options.push_back({"--trajectory", "FILE",
-                     "Write the path in time, as fast as the limits of the joints allow: a .csv, or a .yaml "
-                     "that rostopic publishes. `check --trajectory` reads both",
-                     &arguments->trajectory_file, false, Words::one, FileUse::written});
-  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
-  return {"plan", "Plan a path that is proved, or prove that there is none", options,
-          [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); }};
+  return question_subcommand<ask::PlanQuestion>(
+      "plan", "Plan a path that is proved, or prove that there is none", arguments, report_of, {},
+      {{"--trajectory", "FILE",
+        "Write the path in time, as fast as the limits of the joints allow: a .csv, or a .yaml that rostopic "
+        "publishes. `check --trajectory` reads both",
+        &arguments->trajectory_file, false, Words::one, FileUse::written}});
 }
 
 }  // namespace parallel_aspects::tools

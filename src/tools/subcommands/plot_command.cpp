@@ -4,9 +4,9 @@
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/drawing/plot.h"
-#include "tools/map_choice.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
+#include "tools/question_options.h"
 #include "tools/report/reports.h"
 #include "tools/subcommands.h"
 
@@ -22,7 +22,7 @@ namespace {
 
 struct PlotArguments {
   RobotChoice robot;
-  MapChoice map;
+  QuestionTexts map;
   ConstraintArguments constraints;
   std::string file, section, modes, index;
   bool each_aspect = false;
@@ -55,7 +55,7 @@ PlotSection parse_section(const PlotArguments& arguments, const Manipulator& man
   if (manipulator.task_space() == TaskSpace::SO3) return parse_torsion(arguments.section, problems);
   PlotSection section;
   section.slice =
-      parse_slice("--section", manipulator, arguments.map.slice + " " + arguments.section, problems);
+      parse_slice("--section", manipulator, arguments.map.at("slice") + " " + arguments.section, problems);
   if (problems.empty() && section.slice->dimension() != 2)
     problems.push_back("--section '" + arguments.section + "' leaves " +
                        std::to_string(section.slice->dimension()) +
@@ -144,20 +144,17 @@ Report report_of(const PlotArguments& arguments, const Surroundings& surrounding
   options.leaves = arguments.leaves;
   options.levels = parse_levels(arguments.index, problems);
   check_picture_file("-o", arguments.file, problems);
-  check_map_output("--save", arguments.map.save_file, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   problems.clear();
-  std::optional<MapSlice> slice;
-  if (!arguments.map.slice.empty())
-    slice = parse_slice("--slice", *manipulator, arguments.map.slice, problems);
+  const auto source = read_question<ask::MapSource>(*manipulator, arguments.map, problems);
   options.modes = parse_modes("--mode", *manipulator, arguments.modes, problems);
   if (problems.empty())
-    check_dimension(arguments, *manipulator, mechanism->assembled().pose, slice, problems);
+    check_dimension(arguments, *manipulator, mechanism->assembled().pose, source.hold, problems);
   if (problems.empty() && !arguments.section.empty())
     options.section = parse_section(arguments, *manipulator, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  const auto map = choose_map(manipulator, arguments.map, slice, surroundings).map;
+  const auto map = map_of(manipulator, source, surroundings);
   if (map->aspects().empty())
     throw InvalidDescription({"'" + manipulator->name() +
                               "' has no aspect there, so that nothing is drawn; `aspects map` tells more."});
@@ -179,7 +176,7 @@ Subcommand plot_subcommand() {
   std::vector<Option> options = robot_options(arguments->robot);
   options.push_back(
       {"-o", "FILE", "The picture: an .svg or a .png", &arguments->file, true, Words::one, FileUse::written});
-  for (const Option& option : map_choice_options(arguments->map)) options.push_back(option);
+  for (const Option& option : question_options<ask::MapSource>(arguments->map)) options.push_back(option);
   options.push_back(
       {"--section", "\"z=0.3\"",
        "Cut a map of three coordinates: what is held, with its value [m or rad]; in SO3 \"torsion=0\"",

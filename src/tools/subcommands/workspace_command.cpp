@@ -2,24 +2,24 @@
 #include "parallel_aspects/ask/workspace.h"
 #include "tools/arguments.h"
 #include "tools/drawing/plot.h"
-#include "tools/map_choice.h"
 #include "tools/output_file.h"
 #include "tools/question_options.h"
-#include "tools/report/workspace_report.h"
+#include "tools/report/constraints_report.h"
+#include "tools/report/report.h"
+#include "tools/report/reports.h"
 #include "tools/subcommands.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace parallel_aspects::tools {
 namespace {
 
-struct WorkspaceArguments {
-  RobotChoice robot;
-  QuestionTexts texts;
-  ConstraintArguments constraints;
+struct WorkspaceArguments : QuestionArguments {
   std::string picture;  // empty where not given
 };
 
@@ -80,7 +80,6 @@ void draw(const ask::LargestShapeAnswer& answer, const std::string& file) {
 ask::LargestShapeQuestion read(const WorkspaceArguments& arguments, const Manipulator& robot) {
   Problems problems;
   auto question = read_question<ask::LargestShapeQuestion>(robot, arguments.texts, problems);
-  check_map_output("--save", question.map.save, problems);
   check_picture_file("--picture", arguments.picture, problems);
   if (!arguments.picture.empty() && problems.empty() && free_positions(robot, question.map.hold) < 2)
     problems.emplace_back("--picture shows two positions, but one is free; leave it out.");
@@ -88,13 +87,51 @@ ask::LargestShapeQuestion read(const WorkspaceArguments& arguments, const Manipu
   return question;
 }
 
+std::string center_text(const ask::ShapeInAspect& shape) {
+  std::string text;
+  for (const HeldCoordinate& each : shape.center) text += (text.empty() ? "(" : ", ") + shown(each.value);
+  return text.empty() ? "-" : text + ")";
+}
+
+std::string shapes_table(const ask::LargestShapeAnswer& answer) {
+  const std::string size = lengths_of(*answer.map, answer.question, 1.0).front().first;
+  TextTable table(
+      {">aspect", "working mode", "det A", ">" + size + " [m]", ">at most", "center [m]", "gap closed"});
+  for (const ask::ShapeInAspect& each : answer.workspaces)
+    table.add({std::to_string(each.found.aspect), to_string(each.mode), shown_sign(each.determinant_sign),
+               shown_bound(each.found.lower, Side::below), shown_bound(each.found.upper, Side::above),
+               center_text(each), each.found.proved ? "yes" : "no"});
+  return table.text();
+}
+
+std::string best_shape_text(const ask::LargestShapeAnswer& answer) {
+  const std::string shape = name(answer.question.shape);
+  const ask::ShapeInAspect* best = answer.best();
+  if (best == nullptr) return "No " + shape + " is proved to lie in an aspect.\n";
+  std::vector<std::string> lengths;
+  for (const auto& [what, length] : best->lengths)
+    lengths.push_back(what + " " + shown_bound(length, Side::below) + " m");
+  return "The largest " + shape + " lies in aspect " + std::to_string(best->found.aspect) + ": " +
+         joined(lengths, ", ") + ", center " + center_text(*best) +
+         ".\nProved: each shape lies in its aspect, and none in it is larger than `at most`.\n";
+}
+
+Report report_workspaces(const ask::LargestShapeAnswer& answer) {
+  const Manipulator& robot = *answer.map->manipulator();
+  Report report = constrained_report(robot, answer,
+                                     robot.name() + ": the largest " +
+                                         std::string(name(answer.question.shape)) + " in each aspect" +
+                                         (answer.slice ? " of the slice " + to_string(*answer.slice) : "") +
+                                         "\n\n" + shapes_table(answer) + "\n" + best_shape_text(answer));
+  report.json["margins"] = json_margins(robot.constraints().margins);
+  report.json["tolerance"] = json_number(robot.tolerance());
+  return report;
+}
+
 Report report_of(const WorkspaceArguments& arguments, const Surroundings& surroundings) {
-  const auto mechanism = load_robot(arguments.robot);
-  const auto robot = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
+  const auto robot = robot_of(arguments);
   const ask::LargestShapeQuestion question = read(arguments, *robot);
-  ask::Session session(robot);
-  const ask::LargestShapeAnswer answer =
-      required(ask::answer(session, question, ShownAnswering(surroundings).control()));
+  const ask::LargestShapeAnswer answer = asked(robot, question, surroundings);
   if (!arguments.picture.empty()) draw(answer, arguments.picture);
   Report report = report_workspaces(answer);
   report.text += source_text(question.map, answer.loaded);
@@ -105,14 +142,11 @@ Report report_of(const WorkspaceArguments& arguments, const Surroundings& surrou
 
 Subcommand workspace_subcommand() {
   const auto arguments = std::make_shared<WorkspaceArguments>();
-  std::vector<Option> options = robot_options(arguments->robot);
-  for (const Option& option : question_options<ask::LargestShapeQuestion>(arguments->texts))
-    options.push_back(option);
-  options.push_back({"--picture", "FILE", "Draw the aspects with the shapes in them, as SVG or PNG",
-                     &arguments->picture, false, Words::one, FileUse::written});
-  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
-  return {"workspace", "Find the largest box, square, disc, cylinder or ball in each aspect, proved", options,
-          [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); }};
+  return question_subcommand<ask::LargestShapeQuestion>(
+      "workspace", "Find the largest box, square, disc, cylinder or ball in each aspect, proved", arguments,
+      report_of, {},
+      {{"--picture", "FILE", "Draw the aspects with the shapes in them, as SVG or PNG", &arguments->picture,
+        false, Words::one, FileUse::written}});
 }
 
 }  // namespace parallel_aspects::tools

@@ -2,7 +2,7 @@
 #include "tools/sweep/sweep_arguments.h"
 
 #include "tools/numbers.h"
-#include "tools/report/option_name.h"
+#include "tools/report/report.h"
 
 #include <utility>
 

@@ -54,6 +54,9 @@ aspects.aspects
 [aspects.proved_count, aspects.count_at_most, aspects.unresolved, aspects.measure_undecided]
 aspects.locate([(4.5, 8), (4.5, 0), (50, 0)], (1, -1))
 aspects.boxes(5)
+aspects.graph()
+five_bar.locate((4.5, 8), mode="(+,-)")
+five_bar.locate(joints=(0.4835, 1.0279))["configurations"]
 aspects.undecided("(+,-)").sum(axis=0)
 aspects.workspace("disc", gap=0.1)
 aspects.workspace("box", [3], center={"x": 4.5}, aspect_ratio=(1, 2))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/messages/configurations.h"
 
+#include "ask/question_parts.h"
 #include "ros/monitor/five_bar_setup.h"
 
 #include <gtest/gtest.h>
@@ -11,16 +12,22 @@ namespace parallel_aspects {
 namespace {
 
 // `[0]` is what the completion of rosservice fills in.
-TEST(ConfigurationsAtPose, TakeEveryWorkingModeUnlessOneIsNamed) {
+TEST(StatedSigns, TakeEveryWorkingModeUnlessOneIsNamed) {
   const auto mechanism = test::five_bar_mechanism();
-  const auto at = [&](const std::vector<std::int8_t>& mode) {
-    return configurations_at_pose(*mechanism->manipulator(), test::pose_at(4.5, 8.0), mode);
+  Configuration configuration;
+  const auto stated = [&](const std::vector<std::int8_t>& mode) {
+    configuration.working_mode = mode;
+    return stated_signs(configuration).mode;
   };
-  for (const std::vector<std::int8_t>& any : {std::vector<std::int8_t>{}, {0}, {0, 0}})
-    EXPECT_EQ(at(any).configurations.size(), 4U);
-  EXPECT_EQ(at({1, -1}).configurations.size(), 1U);
-  for (const std::vector<std::int8_t>& wrong : {std::vector<std::int8_t>{1}, {1, 0}, {1, 2}, {1, 1, 1}})
-    EXPECT_EQ(at(wrong).status.code, Status::INVALID_REQUEST);
+  for (const std::vector<std::int8_t>& any : {std::vector<std::int8_t>{}, {0}, {0, 0}}) {
+    EXPECT_FALSE(stated(any));
+    EXPECT_EQ(fault_of(*mechanism->manipulator(), configuration), "");
+  }
+  EXPECT_EQ(stated({1, -1}), WorkingMode::from_signs({1, -1}));
+  for (const std::vector<std::int8_t>& wrong : {std::vector<std::int8_t>{1}, {1, 0}, {1, 2}, {1, 1, 1}}) {
+    stated(wrong);
+    EXPECT_NE(fault_of(*mechanism->manipulator(), configuration).find("working_mode"), std::string::npos);
+  }
 }
 
 // Fields that a kind does not look at are not ignored; what rosservice fills in by itself says nothing.
@@ -59,27 +66,14 @@ TEST(BeyondLimits, AreSaidWithTheJoint) {
 TEST(Configurations, MarginsAreNamedWithTheirValues) {
   const auto five_bar = test::five_bar_mechanism()->manipulator();
   const auto robot = five_bar->with_margins({0.999, 0.0, 0.0});
-  const auto answer = configurations_at_pose(*robot, Pose::planar(4.5, 8.0), {1, -1});
-  EXPECT_EQ(beyond_margins(*five_bar, answer.configurations), "");
-  const std::string text = beyond_margins(*robot, answer.configurations);
+  const auto at = [](const Manipulator& one) {
+    std::string why;
+    return ask::configurations_at(one, Pose::planar(4.5, 8.0), WorkingMode::from_signs({1, -1}), why);
+  };
+  EXPECT_EQ(beyond_margins(at(*five_bar)), "");
+  const std::string text = beyond_margins(at(*robot));
   EXPECT_NE(text.find(" the parallel index is 0."), std::string::npos) << text;
   EXPECT_NE(text.find(", below the margin 0.999."), std::string::npos) << text;
-}
-
-TEST(AsStated, RefusesWhatContradicts) {
-  const auto mechanism = test::five_bar_mechanism();
-  const Manipulator& robot = *mechanism->manipulator();
-  const auto all = configurations_at_pose(robot, test::pose_at(4.5, 8.0), {});
-  std::size_t found = 0;
-  for (const int sign : {1, -1}) found += as_stated(robot, all, {{}, sign}).configurations.size();
-  EXPECT_EQ(found, 4U);
-  EXPECT_EQ(as_stated(robot, all, {{1, -1}, 0}).configurations.size(), 1U);
-  auto one = all;
-  one.configurations.resize(1);  // (+,+)
-  const auto refused = as_stated(robot, one, {{-1, 1}, 0});
-  EXPECT_EQ(refused.status.code, Status::NO_SOLUTION);
-  EXPECT_NE(refused.status.message.find("in (+,+), det A"), std::string::npos) << refused.status.message;
-  EXPECT_NE(refused.status.message.find("contradicts working_mode (-,+)"), std::string::npos);
 }
 
 }  // namespace

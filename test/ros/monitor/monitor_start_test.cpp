@@ -100,15 +100,16 @@ TEST_F(MonitorStart, AStatementThatContradictsTheJointsIsRefused) {
   update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
   const int sign = monitor_.current(at(1.0)).tracked.determinant_sign;
   const Pose pose = test::pose_at(4.5, 8.0);
-  EXPECT_EQ(monitor_.start_near(pose, at(1.0), {{1, -1}, sign}).code, Status::OK);
-  for (const StatedSigns& stated :
-       {StatedSigns{{-1, 1}, 0}, StatedSigns{{}, -sign}, StatedSigns{{1, 1}, sign}}) {
+  EXPECT_EQ(monitor_.start_near(pose, at(1.0), {WorkingMode::from_signs({1, -1}), sign}).code, Status::OK);
+  for (const StatedSigns& stated : {StatedSigns{WorkingMode::from_signs({-1, 1}), 0}, StatedSigns{{}, -sign},
+                                    StatedSigns{WorkingMode::from_signs({1, 1}), sign}}) {
     const Status refused = monitor_.start_near(pose, at(1.0), stated);
     EXPECT_EQ(refused.code, Status::NO_SOLUTION) << refused.message;
     EXPECT_NE(refused.message.find("in (+,-), det A "), std::string::npos) << refused.message;
     EXPECT_NE(refused.message.find("contradicts "), std::string::npos) << refused.message;
   }
-  EXPECT_EQ(monitor_.start_with_sign({{-1, 1}, sign}, at(1.0)).code, Status::NO_SOLUTION);
+  EXPECT_EQ(monitor_.start_with_sign({WorkingMode::from_signs({-1, 1}), sign}, at(1.0)).code,
+            Status::NO_SOLUTION);
   EXPECT_EQ(monitor_.current(at(1.0)).status.code, Status::OK) << "nothing has changed";
   EXPECT_EQ(monitor_.current(at(1.0)).tracked.determinant_sign, sign);
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/check_queries.h"
+#include "ros/node/motion_queries.h"
 
 #include "ask/question_parts.h"
 #include "model/message_text.h"
 #include "model/spherical_links.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
+#include "ros/messages/configurations.h"
+#include "ros/messages/motion_messages.h"
+#include "ros/plan/plan_question.h"
 
 #include <cmath>
 #include <utility>
@@ -14,46 +17,6 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::size_t most_distances = 1000;  // each takes up to some milliseconds
-
-std::uint8_t kind_of(Violation violation) {
-  switch (violation) {
-    case Violation::out_of_reach:
-      return TrajectoryEvent::SERIAL_SINGULARITY;
-    case Violation::joint_limit:
-      return TrajectoryEvent::ACTUATED_LIMIT;
-    case Violation::constraint:
-      return TrajectoryEvent::CONSTRAINT;
-    case Violation::singularity:
-    case Violation::none:
-      break;
-  }
-  return TrajectoryEvent::PARALLEL_SINGULARITY;
-}
-
-std::string name_of(const Manipulator& manipulator, const std::optional<std::size_t>& leg) {
-  return leg ? manipulator.leg(*leg).name : "";
-}
-
-TrajectoryEvent event_of(const Manipulator& manipulator, const TrajectoryViolation& violation) {
-  TrajectoryEvent event;
-  event.kind = kind_of(violation.kind);
-  event.leg = name_of(manipulator, violation.leg);
-  if (violation.constraint) event.constraint = name(*violation.constraint);
-  event.after = violation.after;
-  event.before = violation.before;
-  return event;
-}
-
-TrajectoryEvent event_of(const Manipulator& manipulator, const TrajectoryCrossing& crossing) {
-  TrajectoryEvent event;
-  event.kind = kind_of(crossing.kind);
-  event.leg = name_of(manipulator, crossing.leg);
-  event.after = crossing.after;
-  event.before = crossing.before;
-  if (crossing.mode) event.working_mode = signs_message(*crossing.mode);
-  event.determinant_sign = static_cast<std::int8_t>(crossing.determinant_sign);
-  return event;
-}
 
 /// As the fields of a request.
 std::string field_of_check(const std::string& field) {
@@ -67,59 +30,29 @@ std::string field_of_check(const std::string& field) {
                                                                                   : "");
 }
 
-void fill_values(const Manipulator& manipulator, const ask::CheckAnswer& answer,
-                 CheckTrajectory::Response& response) {
-  const TrajectoryCheck& check = answer.check;
-  response.least_parallel_index = check.parallel_index.value;
-  response.least_parallel_index_time = check.parallel_index.time;
-  response.least_serial_index = check.serial_index.value;
-  response.least_serial_index_time = check.serial_index.time;
-  response.least_serial_index_leg = name_of(manipulator, check.serial_index.leg);
-  for (const ask::JointSpeed& each : answer.speeds) {
-    response.joint_names.push_back(each.joint);
-    response.fastest.push_back(each.speed.value);
-    response.never_faster.push_back(each.speed.bound);
-    response.velocity_limits.push_back(each.limit);
+/// What belongs to the other kind of question; empty where nothing does.
+std::string foreign_field(const ChooseWorkingMode::Request& request) {
+  if (request.kind == ChooseWorkingMode::Request::PATH) {
+    if (!request.coordinates.empty() || !request.lower.empty() || !request.upper.empty())
+      return "A path has no ranges; leave coordinates, lower and upper empty, or ask with kind 1 (region).";
+    return "";
   }
-}
-
-void fill_distances(const ask::CheckAnswer& answer, CheckTrajectory::Response& response) {
-  for (std::size_t i = 0; i < answer.distances.size(); ++i) {
-    const SampleDistances& distances = answer.distances[i];
-    if (!distances.measured) continue;
-    response.distance_times.push_back(answer.check.samples[i].time);
-    response.parallel_distances.push_back(distances.lower[0]);
-    response.serial_distances.push_back(distances.lower[1]);
-    response.limit_distances.push_back(distances.lower[2]);
-  }
-  for (const auto& least : answer.least_distance().value_or(ask::NamedValues()))
-    response.least_distances.push_back(least.second);
-}
-
-void write_check(const Manipulator& manipulator, const ask::CheckAnswer& answer,
-                 CheckTrajectory::Response& response) {
-  const TrajectoryCheck& check = answer.check;
-  response.answer = check.answer == TrajectoryAnswer::safe     ? CheckTrajectory::Response::YES
-                    : check.answer == TrajectoryAnswer::unsafe ? CheckTrajectory::Response::NO
-                                                               : CheckTrajectory::Response::UNKNOWN;
-  response.reason = check.reason;
-  response.free_until = check.free_until;
-  response.followed_until = check.followed_until;
-  response.not_followed = check.not_followed;
-  if (check.violation) response.first_violation.push_back(event_of(manipulator, *check.violation));
-  for (const TrajectoryCrossing& crossing : check.crossings)
-    response.crossings.push_back(event_of(manipulator, crossing));
-  fill_values(manipulator, answer, response);
-  fill_distances(answer, response);
+  if (!request.poses.empty() || !request.times.empty() || !request.prefer.empty() || request.changes)
+    return "A region has no path; leave poses, times, prefer and changes empty, or ask with kind 0 (path).";
+  return "";
 }
 
 }  // namespace
 
-CheckQueries::CheckQueries(std::shared_ptr<const Manipulator> manipulator, const RobotMonitor& monitor,
-                           PoseTransformer to_base)
-    : manipulator_(std::move(manipulator)), monitor_(monitor), to_base_(std::move(to_base)) {}
+MotionQueries::MotionQueries(std::shared_ptr<const Manipulator> manipulator, const RobotMonitor& monitor,
+                             const MapWorker& worker, PoseTransformer to_base)
+    : manipulator_(std::move(manipulator)),
+      monitor_(monitor),
+      worker_(worker),
+      to_base_(std::move(to_base)),
+      session_(manipulator_) {}
 
-CheckTrajectory::Response CheckQueries::answer(const CheckTrajectory::Request& request) const {
+CheckTrajectory::Response MotionQueries::answer(const CheckTrajectory::Request& request) const {
   CheckTrajectory::Response response;
   ask::CheckQuestion question;
   response.status = read(request, question);
@@ -135,7 +68,7 @@ CheckTrajectory::Response CheckQueries::answer(const CheckTrajectory::Request& r
   return response;
 }
 
-Status CheckQueries::read(const CheckTrajectory::Request& request, ask::CheckQuestion& question) const {
+Status MotionQueries::read(const CheckTrajectory::Request& request, ask::CheckQuestion& question) const {
   const bool has_joints = !request.trajectory.points.empty(), has_poses = !request.poses.empty();
   if (request.distances > most_distances)
     return invalid_request("distances is " + std::to_string(request.distances) +
@@ -155,8 +88,8 @@ Status CheckQueries::read(const CheckTrajectory::Request& request, ask::CheckQue
   return {};
 }
 
-Status CheckQueries::read_joints(const CheckTrajectory::Request& request,
-                                 ask::CheckQuestion& question) const {
+Status MotionQueries::read_joints(const CheckTrajectory::Request& request,
+                                  ask::CheckQuestion& question) const {
   Problems problems;
   const ask::JointColumns columns(*manipulator_, request.trajectory.joint_names, "trajectory", problems);
   std::vector<JointWaypoint>& waypoints = question.trajectory.emplace();
@@ -179,7 +112,7 @@ Status CheckQueries::read_joints(const CheckTrajectory::Request& request,
   return {};
 }
 
-Status CheckQueries::start_joints_now(ask::CheckQuestion& question) const {
+Status MotionQueries::start_joints_now(ask::CheckQuestion& question) const {
   const CurrentConfiguration current = monitor_.current(ros::Time::now());
   if (current.status.code != Status::OK) return current.status;
   question.start_pose = current.solved.pose;
@@ -197,7 +130,8 @@ Status CheckQueries::start_joints_now(ask::CheckQuestion& question) const {
   return current.status;
 }
 
-Status CheckQueries::read_poses(const CheckTrajectory::Request& request, ask::CheckQuestion& question) const {
+Status MotionQueries::read_poses(const CheckTrajectory::Request& request,
+                                 ask::CheckQuestion& question) const {
   if (request.times.size() != request.poses.size())
     return invalid_request("There are " + std::to_string(request.poses.size()) + " poses but " +
                            std::to_string(request.times.size()) + " times; give one for each.");
@@ -207,12 +141,11 @@ Status CheckQueries::read_poses(const CheckTrajectory::Request& request, ask::Ch
       read_waypoints(*manipulator_, to_base_, request.poses, request.times, question.path.emplace());
   if (status.code != Status::OK) return status;
   if (request.start.kind == Configuration::NOW) return start_poses_now(question);
-  question.mode =
-      WorkingMode::from_signs({request.start.working_mode.begin(), request.start.working_mode.end()});
+  question.mode = stated_mode(request.start.working_mode);
   return status;
 }
 
-Status CheckQueries::start_poses_now(ask::CheckQuestion& question) const {
+Status MotionQueries::start_poses_now(ask::CheckQuestion& question) const {
   const CurrentConfiguration current = monitor_.current(ros::Time::now());
   if (current.status.code != Status::OK) return current.status;
   const double off = anchor_distance(*manipulator_, current.solved.pose, question.path->front().pose);
@@ -223,6 +156,91 @@ Status CheckQueries::start_poses_now(ask::CheckQuestion& question) const {
   if (!question.mode)
     return invalid_request("A leg of the robot is stretched or folded now; move it out of B_jj = 0.");
   return current.status;
+}
+
+ChooseWorkingMode::Response MotionQueries::answer(const ChooseWorkingMode::Request& request) const {
+  ChooseWorkingMode::Response response;
+  response.answer = response.answer_with_changes = ModeChoice::UNKNOWN;
+  const std::string foreign = foreign_field(request);
+  if (request.kind > ChooseWorkingMode::Request::REGION)
+    response.status = invalid_request("kind must be 0 (path) or 1 (region).");
+  else if (!foreign.empty())
+    response.status = invalid_request(foreign);
+  else
+    response.status = choose(request, response);
+  return response;
+}
+
+Status MotionQueries::choose(const ChooseWorkingMode::Request& request,
+                             ChooseWorkingMode::Response& response) const {
+  ask::ChooseQuestion question;
+  question.brief = true;
+  question.changes = request.changes;
+  std::string names;
+  if (!request.prefer.empty() && !(question.prefer = ask::choice_named<Preference>(request.prefer, names)))
+    return invalid_request("prefer must be " + names + ", or empty for clear.");
+  Status status;
+  if (request.kind == ChooseWorkingMode::Request::PATH)
+    status = read_path(request, question.path.emplace());
+  else
+    status = read_region(*manipulator_, request, question);
+  if (status.code != Status::OK) return status;
+  ask::Session session(manipulator_);  // for one thread at a time, so that long questions do not wait
+  session.know(worker_.map());
+  const auto outcome = ask::answer(session, question);
+  const auto field_of_request = [](const std::string& field) {
+    return field == "region" ? std::string("The region") : field;
+  };
+  if (!outcome) return invalid_request(text_of(outcome.problems.front(), field_of_request));
+  write_choice(*manipulator_, outcome.answer, response);
+  return status;
+}
+
+Status MotionQueries::read_path(const ChooseWorkingMode::Request& request,
+                                std::vector<PoseWaypoint>& waypoints) const {
+  if (!request.times.empty() && request.times.size() != request.poses.size())
+    return invalid_request("times must be empty, or have an entry for each of poses.");
+  std::vector<geometry_msgs::PoseStamped> poses(request.poses.size());
+  std::vector<double> times = request.times;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    poses[i].header = request.header;
+    poses[i].pose = request.poses[i];
+    if (request.times.empty()) times.push_back(static_cast<double>(i));
+  }
+  return read_waypoints(*manipulator_, to_base_, poses, times, waypoints);
+}
+
+// One roadmap for all questions, so that the same question gets the same answer.
+ask::Outcome<ask::ConnectAnswer> MotionQueries::connect(const ask::ConnectQuestion& question) const {
+  const std::lock_guard<std::mutex> lock(session_mutex_);
+  session_.know(worker_.map());
+  if (const auto known = worker_.known().roadmap) session_.know(known);
+  ask::ProblemList problems;
+  if (const auto roadmap = session_.roadmap({}, {}, problems)) session_.know(roadmap);
+  if (!problems.empty()) return {MapStatus::refused, std::move(problems), {}};
+  return ask::answer(session_, question);
+}
+
+Connect::Response MotionQueries::answer(const Connect::Request& request) const {
+  Connect::Response response;
+  ask::ConnectQuestion question;
+  question.brief = true;
+  question.mode = stated_mode(request.working_mode);
+  if (!is_mode_of(*manipulator_, request.working_mode)) {
+    response.status =
+        invalid_request("working_mode must have a sign, 1 or -1, for each leg that has two, or be empty.");
+    return response;
+  }
+  response.status = read_pose(*manipulator_, to_base_, request.start, "start", question.start.emplace());
+  if (response.status.code != Status::OK) return response;
+  const Status read = read_pose(*manipulator_, to_base_, request.goal, "goal", question.goal.emplace());
+  if (read.code != Status::OK || response.status.message.empty()) response.status = read;
+  if (read.code != Status::OK) return response;
+  const auto outcome = connect(question);
+  if (!outcome) response.status = refused(outcome.problems);
+  for (const ask::ConnectionInMode& each : outcome.answer.answers)
+    response.answers.push_back(connection_message(*manipulator_, each));
+  return response;
 }
 
 }  // namespace parallel_aspects
