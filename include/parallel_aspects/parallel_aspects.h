@@ -23,6 +23,7 @@ namespace parallel_aspects {}
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
+#include "parallel_aspects/ask/uniqueness_question.h"
 #include "parallel_aspects/ask/workspace.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/box.h"

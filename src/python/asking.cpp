@@ -82,6 +82,18 @@ void KeywordReader::read(const std::string& name, const Object& given, MapSlice&
   refuse_any(problems);
 }
 
+void KeywordReader::read(const std::string& name, const Object& given, HeldJoint& value) {
+  Problems problems;
+  value = tools::parse_held_joint(name, robot_, py::str(given), problems);
+  refuse_any(problems);
+}
+
+void KeywordReader::read(const std::string& name, const Object& given, HeldRange& value) {
+  Problems problems;
+  value = tools::parse_held_range(name, robot_, py::str(given), problems);
+  refuse_any(problems);
+}
+
 std::vector<py::object> KeywordReader::listed(const Object& given) {
   if (py::isinstance<py::str>(given) || !py::isinstance<py::iterable>(given)) return {given};
   std::vector<Object> result;

@@ -71,6 +71,8 @@ class KeywordReader {
   void read(const std::string& name, const Object& given, WorkingMode& value);
   void read(const std::string& name, const Object& given, JointVector& value);
   void read(const std::string& name, const Object& given, MapSlice& value);
+  void read(const std::string& name, const Object& given, HeldJoint& value);
+  void read(const std::string& name, const Object& given, HeldRange& value);
   void read(const std::string& name, const Object& given, std::vector<double>& values);
   void read(const std::string& name, const Object& given, std::vector<WorkingMode>& values);
   void read(const std::string& name, const Object& given, std::vector<HeldCoordinate>& values);
@@ -133,6 +135,8 @@ class DictWriter {
   pybind11::object object_of_value(bool value) const { return pybind11::bool_(value); }
   pybind11::object object_of_value(double value) const { return pybind11::float_(value); }
   pybind11::object object_of_value(int value) const { return pybind11::int_(value); }
+  pybind11::object object_of_value(std::size_t value) const { return pybind11::int_(value); }
+  pybind11::object object_of_value(unsigned value) const { return pybind11::int_(value); }
   pybind11::object object_of_value(const std::string& value) const { return pybind11::str(value); }
   pybind11::object object_of_value(const std::vector<int>& values) const;
   pybind11::object object_of_value(const TaskVector& values) const { return array_of(values); }

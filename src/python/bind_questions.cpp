@@ -7,6 +7,7 @@
 #include "parallel_aspects/ask/jacobian.h"
 #include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/ask/plan.h"
+#include "parallel_aspects/ask/uniqueness_question.h"
 #include "parallel_aspects/ask/workspace.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 
@@ -141,6 +142,8 @@ void bind_motion(py::module& module, RobotClass& robot, MapClass& map) {
   robot.def("configurations", ask_robot<ask::InverseQuestion>);
   robot.def("direct", ask_robot<ask::DirectQuestion>);
   robot.def("jacobian", ask_robot<ask::JacobianQuestion>);
+  robot.def("uniqueness", ask_robot<ask::UniquenessQuestion>);
+  module.def("uniqueness_question", fields_of<ask::UniquenessQuestion>);
   module.def("inverse_answer", fields_of<ask::InverseInMode>);
   module.def("direct_answer", fields_of<ask::DirectAnswer>);
   module.def("jacobian_question", fields_of<ask::JacobianQuestion>);

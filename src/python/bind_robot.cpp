@@ -5,8 +5,11 @@
 #include "parallel_aspects/urdf/mechanism.h"
 #include "tools/arguments.h"
 #include "tools/shipped_robots.h"
+#include "tools/sweep/sweep_arguments.h"
+#include "tools/sweep/sweep_file.h"
 
 #include "python/arrays.h"
+#include "python/asking.h"
 #include "python/bindings.h"
 #include <array>
 #include <limits>
@@ -110,6 +113,23 @@ CoreRobot with_lengths(const CoreRobot& robot, const DesignValues& values, bool 
   return {with_design(*robot.manipulator, values, keep_ties)};
 }
 
+void sweep(const CoreRobot& robot, const std::string& file, const py::dict& keywords, unsigned threads,
+           const py::object& progress) {
+  tools::Shard shard;
+  Problems problems;
+  const auto arguments = read_question<tools::SweepArguments>(*robot.manipulator, keywords);
+  const tools::SweepPlan plan = tools::plan_sweep(robot.manipulator, arguments, shard, problems);
+  refuse_any(problems);
+  tools::SweepFile rows(plan, shard, file);
+  run_long(progress, [&](const MapControl& control) {
+    const auto tell = [&control](std::size_t done, std::size_t of) {
+      control.progress(static_cast<double>(done) / static_cast<double>(of));
+    };
+    tools::run_sweep(plan, shard, threads, control, tell, rows);
+    return true;
+  });
+}
+
 /// Shape (n, legs); rows of NaN where the mode does not reach the pose within limits.
 Array inverse_of(const CoreRobot& robot, const Array& values, const py::object& signs) {
   const Manipulator& manipulator = *robot.manipulator;
@@ -177,6 +197,7 @@ void bind_robot(RobotClass& robot) {
   robot.def_property_readonly("lengths", lengths_of_robot);
   robot.def("constrained", constrained);
   robot.def("with_lengths", with_lengths);
+  robot.def("sweep", sweep);
   robot.def("inverse", inverse_of);
   robot.def("indices", indices_of);
 }

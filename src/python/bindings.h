@@ -53,7 +53,6 @@ void bind_robot(RobotClass& robot);
 void bind_distance(RobotClass& robot);
 void bind_motion(pybind11::module& module, RobotClass& robot, MapClass& map);
 void bind_map(RobotClass& robot, MapClass& map);
-void bind_design(RobotClass& robot);
 
 /// Makes `InvalidDescription` a `ValueError` of the module, with all `problems`.
 void bind_errors(pybind11::module& module);

@@ -14,5 +14,4 @@ PYBIND11_MODULE(_core, module) {
   pa::bind_distance(robot);
   pa::bind_map(robot, map);
   pa::bind_motion(module, robot, map);
-  pa::bind_design(robot);
 }

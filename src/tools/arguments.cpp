@@ -292,29 +292,6 @@ void read_range(const std::string& option, const Manipulator& robot, const std::
   range.upper = values[1];
 }
 
-/// The joint that is held, and where; nothing, with a problem, where `text` is no actuated joint with a
-/// value.
-std::optional<HeldJoint> read_held_joint(const std::string& option, const Manipulator& robot,
-                                         const std::string& text, Problems& problems) {
-  const std::vector<std::string> words = words_of_list(text);
-  const std::string word = words.empty() ? "" : words.front();
-  const std::size_t equals = word.find('=');
-  const std::string joint = word.substr(0, equals);
-  if (equals == std::string::npos || words.size() != 1) {
-    const auto named = leg_of_joint(robot, joint);
-    const std::string example = named ? example_of_held_joint(robot, *named) : "";
-    problems.push_back(option + " has '" + text + "'; give one actuated joint with its value, such as " +
-                       (example.empty() ? example_of_held_joint(robot) : example) + ".");
-    return std::nullopt;
-  }
-  const auto leg = leg_of(option, robot, joint, problems);
-  if (!leg) return std::nullopt;
-  const std::size_t known = problems.size();
-  const auto value = parse_numbers(option, word.substr(equals + 1), {joint}, problems);
-  if (problems.size() > known) return std::nullopt;
-  return HeldJoint{*leg, value.front(), robot.leg(*leg).actuated_by_angle()};
-}
-
 }  // namespace
 
 HeldRange parse_held_range(const std::string& option, const Manipulator& robot, const std::string& text,
@@ -331,27 +308,29 @@ HeldRange parse_held_range(const std::string& option, const Manipulator& robot, 
   const JointLimits& limits = robot.leg(range.leg).limits;
   range.lower = limits.lower;
   range.upper = limits.upper;
-  const std::size_t known = problems.size();
   if (joint != text) read_range(option, robot, text, range, problems);
-  const std::string problem = problems.size() > known ? "" : find_held_range_problem(robot, range);
-  if (!problem.empty()) problems.push_back(problem);
   return range;
 }
 
 HeldJoint parse_held_joint(const std::string& option, const Manipulator& robot, const std::string& text,
                            Problems& problems) {
-  const auto held = read_held_joint(option, robot, text, problems);
-  if (!held) return {};
-  const std::string problem = find_cusps_problem(robot, *held);
-  if (!problem.empty()) problems.push_back(problem);
-  return *held;
-}
-
-MapSlice parse_joint_slice(const std::string& option, const Manipulator& robot, const std::string& text,
-                           Problems& problems) {
-  const auto held = read_held_joint(option, robot, text, problems);
-  return held ? make_slice(robot, {{robot.leg(held->leg).actuated_joint, held->value}}, problems)
-              : MapSlice{};
+  const std::vector<std::string> words = words_of_list(text);
+  const std::string word = words.empty() ? "" : words.front();
+  const std::size_t equals = word.find('=');
+  const std::string joint = word.substr(0, equals);
+  if (equals == std::string::npos || words.size() != 1) {
+    const auto named = leg_of_joint(robot, joint);
+    const std::string example = named ? example_of_held_joint(robot, *named) : "";
+    problems.push_back(option + " has '" + text + "'; give one actuated joint with its value, such as " +
+                       (example.empty() ? example_of_held_joint(robot) : example) + ".");
+    return {};
+  }
+  const auto leg = leg_of(option, robot, joint, problems);
+  if (!leg) return {};
+  const std::size_t known = problems.size();
+  const auto value = parse_numbers(option, word.substr(equals + 1), {joint}, problems);
+  if (problems.size() > known) return {};
+  return {*leg, value.front(), robot.leg(*leg).actuated_by_angle()};
 }
 
 }  // namespace parallel_aspects::tools

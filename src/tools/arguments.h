@@ -119,11 +119,6 @@ HeldRange parse_held_range(const std::string& option, const Manipulator& robot, 
 HeldJoint parse_held_joint(const std::string& option, const Manipulator& robot, const std::string& text,
                            Problems& problems);
 
-/// The slice of SE2 that holds the actuated joint which `text` names with its value; pose coordinates are
-/// refused.
-MapSlice parse_joint_slice(const std::string& option, const Manipulator& robot, const std::string& text,
-                           Problems& problems);
-
 }  // namespace parallel_aspects::tools
 
 #endif  // PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H

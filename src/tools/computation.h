@@ -55,11 +55,6 @@ class ShownComputation {
 
   const MapControl& control() const { return control_; }
 
-  /// Throws Interrupted where it was ended.
-  void require_complete() const {
-    if (is_cancelled(control_)) throw Interrupted{};
-  }
-
  private:
   MapControl control_;
   std::optional<ProgressBar> bar_;

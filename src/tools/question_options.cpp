@@ -37,6 +37,14 @@ void TextReader::read(const std::string& option, const std::string& text, MapSli
   value = parse_slice(option, robot_, text, problems_);
 }
 
+void TextReader::read(const std::string& option, const std::string& text, HeldJoint& value) {
+  value = parse_held_joint(option, robot_, text, problems_);
+}
+
+void TextReader::read(const std::string& option, const std::string& text, HeldRange& value) {
+  value = parse_held_range(option, robot_, text, problems_);
+}
+
 void TextReader::read(const std::string& option, const std::string& text, std::vector<double>& values) {
   values = parse_ratio(option, text, problems_);
 }

@@ -5,6 +5,7 @@
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
 #include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
@@ -158,6 +159,8 @@ class TextReader {
   void read(const std::string& option, const std::string& text, WorkingMode& value);
   void read(const std::string& option, const std::string& text, JointVector& value);
   void read(const std::string& option, const std::string& text, MapSlice& value);
+  void read(const std::string& option, const std::string& text, HeldJoint& value);
+  void read(const std::string& option, const std::string& text, HeldRange& value);
   void read(const std::string& option, const std::string& text, std::vector<double>& values);
   void read(const std::string& option, const std::string& text, std::vector<WorkingMode>& values);
   void read(const std::string& option, const std::string& text, std::vector<HeldCoordinate>& values);

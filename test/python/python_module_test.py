@@ -282,6 +282,13 @@ def test_curves_of_cusps_hold_the_cusps_of_a_slice():
         assert sum(crossings) == len(cusps)
 
 
+def test_uniqueness_over_a_roadmap():
+    found = pa.load("stewart").uniqueness(samples=20, seed=2, poses=2)
+    assert (found["samples"], found["seed"], found["poses"]) == (20, 2, 2)
+    assert sum(each["samples"] for each in found["components"]) == 20
+    assert all(each["working_mode"] == "(+,+,+,+,+,+)" for each in found["components"])
+
+
 @pytest.mark.parametrize("name", pa.robots())
 def test_shipped_robots(name):
     robot = pa.load(name)

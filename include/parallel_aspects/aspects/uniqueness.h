@@ -11,7 +11,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,6 +69,47 @@ struct UniquenessDomain {
   bool whole_aspect = false;                 ///< by the theorem for T1, T2 and T3
   std::vector<std::size_t> basic_regions{};  ///< else: indices in the list; proved paths join them
   double measure_lower = 0.0;                ///< of their actuated values [m^2 or m^3]
+};
+
+/// A direct solution that is proved: the ball about the pose holds exactly one pose that the actuated values,
+/// as the numbers that they are, assemble with. A path in the ball without singularities and within all
+/// constraints leads from there to `pose` itself, in this working mode, so that both lie in one aspect.
+struct ProvedSolution {
+  Pose pose;                 ///< in the task frame
+  WorkingMode mode;          ///< of both
+  int determinant_sign = 0;  ///< of both, 1 or -1
+  double radius = 0.0;       ///< of the ball, in the metric of `PoseCertifier::distance` [m]
+};
+
+/// Numbers of poses, by the number of direct solutions that their actuated values have.
+using PosesBySolutions = std::map<std::size_t, std::size_t>;
+
+/// Two different direct solutions of the same actuated values, and a path from one to the other, all proved:
+/// the aspect that holds it is no uniqueness domain.
+struct AssemblyChange {
+  JointVector actuated;  ///< of both [rad or m]
+  ProvedSolution from, to;
+  std::vector<Pose> path;  ///< of their poses; each `PoseSegment` is proved free of singularities
+};
+
+/// Of the poses of one component of a roadmap, all in one aspect.
+struct ComponentSurvey {
+  WorkingMode mode;
+  int determinant_sign = 0;              ///< 1 or -1
+  std::uint32_t component = 0;           ///< of that side of the roadmap, from 0
+  std::size_t samples = 0;               ///< poses that the roadmap has in it
+  std::size_t poses = 0;                 ///< of these, that were looked at
+  PosesBySolutions in_aspect;            ///< solutions that are proved to be in the same aspect, so at least
+  std::size_t unknown = 0;               ///< solutions that may be in it, too
+  std::optional<AssemblyChange> change;  ///< where one was found
+};
+
+/// How many direct solutions the actuated values of a roadmap's poses have, and in which aspects.
+struct AssemblySurvey {
+  std::size_t poses = 0;       ///< that were looked at
+  std::size_t incomplete = 0;  ///< poses whose solutions the direct solver says it may not have found all
+  PosesBySolutions solutions;  ///< poses, by the solutions that were found, in whichever aspect
+  std::vector<ComponentSurvey> components;  ///< of which there are poses, as the roadmap has them
 };
 
 /// What is known of uniqueness domains about two basic regions.

@@ -350,22 +350,19 @@ class Robot:
             return read_sweep(rows)
 
     def uniqueness(
-        self,
-        slice: "Optional[Values]" = None,  # pylint: disable=redefined-builtin
-        resolution: Optional[float] = None,
-        progress: Progress = None,
+        self, slice: "Optional[Values]" = None, *, progress: Progress = None, **options: Any  # pylint: disable=redefined-builtin
     ) -> Dict[str, Any]:
-        """Which poses of an aspect have the same actuated values, and where direct solutions meet: the answer of
-        `aspects uniqueness` in JSON."""
-        return self._core.uniqueness({"slice": slice, "resolution": resolution}, progress)
+        """Which poses of an aspect have the same actuated values, and where direct solutions meet, as of `aspects uniqueness`.
+        Poses of the answer are arrays."""
+        return self._core.uniqueness({"slice": values_text(slice) or None, **options}, progress)
 
     def cusp_curves(self, over: "Union[str, Ranges]", progress: Progress = None) -> Dict[str, Any]:
         """The curves that cusps form while an actuated joint is held at each value of a range in turn [m or rad], as
-        {"strut_1_joint": (10, 32)}, or by its name within its limits: the answer of `aspects uniqueness --cusps-over` in
-        JSON. Of the `points` of a curve, in turn, there are arrays besides: `poses` (n, k) and `q` (n, legs)."""
-        answer = self._core.cusp_curves(ranges_text(over), progress)
+        {"strut_1_joint": (10, 32)}, or by its name within its limits, as of `aspects uniqueness --cusps-over`. Of the
+        `points` of a curve, in turn, there are arrays besides: `poses` (n, k) and `q` (n, legs)."""
+        answer = self.uniqueness(cusps_over=ranges_text(over), progress=progress)
         for curve in answer["cusp_curves"]:
-            curve["poses"] = np.array([[point["pose"][name] for name in self.coordinates] for point in curve["points"]])
+            curve["poses"] = np.array([point["pose"] for point in curve["points"]])
             curve["q"] = np.array([point["actuated"] for point in curve["points"]])
         return answer
 
@@ -379,6 +376,7 @@ documented(Robot.check_joints, _core.check_question())
 documented(Robot.choose, _core.choose_question())
 documented(Robot.distance, _core.distance_question())
 documented(Robot.jacobian, _core.jacobian_question())
+documented(Robot.uniqueness, _core.uniqueness_question())
 documented(Robot.workspace, _core.workspace_question())
 
 

@@ -2,6 +2,7 @@
 #include "ros/monitor/known_domains.h"
 
 #include "aspects/uniqueness/uniqueness_problem.h"
+#include "parallel_aspects/ask/uniqueness_question.h"
 #include "ros/messages/conversions.h"
 
 #include <ros/console.h>
@@ -37,9 +38,12 @@ std::string summary(const Uniqueness& uniqueness) {
          (uniqueness.domains_complete ? "." : ", and there are more.");
 }
 
-KnownDomains known_by(const UniquenessResult& result) {
-  if (!result) return {UniquenessState::NONE, result.message, nullptr};
-  return {UniquenessState::REGIONS, summary(*result.uniqueness), result.uniqueness};
+KnownDomains known_by(const ask::Outcome<ask::UniquenessAnswer>& outcome) {
+  if (outcome.status == MapStatus::refused)
+    return {UniquenessState::NONE, text_of(outcome.problems.front(), ask::plain_name), nullptr};
+  if (!outcome) return {UniquenessState::NONE, "Their computation was cancelled.", nullptr};
+  const auto& found = std::get<std::shared_ptr<const Uniqueness>>(outcome.answer.found);
+  return {UniquenessState::REGIONS, summary(*found), found};
 }
 
 void say(const KnownDomains& known) { ROS_INFO_STREAM("Uniqueness domains: " << known.message); }
@@ -61,19 +65,21 @@ void DomainFinder::find(const std::shared_ptr<const AspectMap>& map, const std::
   if (!computes_ || !map) return;
   set({UniquenessState::WAITING, "They are being computed.", nullptr});
   double said = 0.0;
-  MapControl control;
+  ask::Control control;
   control.cancelled = &cancelled;
-  control.progress = [&](double share) {
+  control.progress = [&](const char* /*step*/, double share) {
     if (share < said + 0.1) return;
     said = share;
     set({UniquenessState::WAITING,
          "They are being computed, " + std::to_string(std::lround(100.0 * share)) + " %.", nullptr});
   };
-  UniquenessOptions options;
-  if (parameters_.most_cells) options.most_cells = static_cast<std::size_t>(*parameters_.most_cells);
+  ask::Session session(map->manipulator());
+  session.know(map);
+  ask::UniquenessQuestion question;
+  if (parameters_.most_cells) question.most_cells = static_cast<std::size_t>(*parameters_.most_cells);
   KnownDomains found;
   try {
-    found = known_by(compute_uniqueness(map, options, control));
+    found = known_by(ask::answer(session, question, control));
   } catch (const std::exception& failure) {  // as when there is not enough memory
     found = {UniquenessState::NONE, std::string("Their computation ended early: ") + failure.what() + ".",
              nullptr};

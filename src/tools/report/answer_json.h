@@ -66,6 +66,8 @@ class JsonWriter {
   nlohmann::json json_of(double value) const;
   nlohmann::json json_of(const std::string& value) const { return value; }
   nlohmann::json json_of(int value) const { return value; }
+  nlohmann::json json_of(std::size_t value) const { return value; }
+  nlohmann::json json_of(unsigned value) const { return value; }
   nlohmann::json json_of(const TaskVector& values) const;
   nlohmann::json json_of(const TaskMatrix& matrix) const;  ///< its rows
   /// Objects by name.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/message_text.h"
-#include "tools/report/constraints_report.h"
 #include "tools/report/report.h"
-#include "tools/report/reports.h"
 #include "tools/report/uniqueness_report.h"
 
 #include <string>
@@ -10,24 +8,6 @@
 
 namespace parallel_aspects::tools {
 namespace {
-
-using nlohmann::json;
-
-json json_event(const CuspEvent& event) {
-  return {{"kind", name(event.kind)}, {"lower", event.lower}, {"upper", event.upper}};
-}
-
-json json_curve(const Manipulator& robot, std::size_t held, const CuspCurve& curve) {
-  json points = json::array(), events = json::array();
-  for (const Cusp& cusp : curve.points)
-    points.push_back({{"held", cusp.actuated[static_cast<Eigen::Index>(held)]},
-                      {"actuated", json_numbers(cusp.actuated)},
-                      {"working_mode", cusp.mode.signs()},
-                      {"pose", json_pose(robot.task_space(), cusp.pose)},
-                      {"accuracy", cusp.accuracy}});
-  for (const CuspEvent& event : curve.events) events.push_back(json_event(event));
-  return {{"proved", true}, {"closed", curve.closed}, {"points", points}, {"events", events}};
-}
 
 /// Where the curve goes: "10 (end of the range), 26.7864 (turn), 26.8002 (limit)".
 std::string course(const CuspCurve& curve) {
@@ -76,27 +56,13 @@ std::string undecided_text(const CuspCurves& found, const std::string& joint) {
 
 }  // namespace
 
-Report report_cusp_curves(const Manipulator& robot, const CuspCurves& found) {
-  const Leg& leg = robot.leg(found.range.leg);
-  const std::string held = leg.actuated_joint + " [" + joint_unit(leg) + "]";
-  json object = {{"mechanism", robot.name()},    {"held_joint", leg.actuated_joint},
-                 {"unit", joint_unit(leg)},      {"lower", found.range.lower},
-                 {"upper", found.range.upper},   {"cusp_curves", json::array()},
-                 {"cusp_counts", json::array()}, {"cusp_curves_complete", found.complete},
-                 {"undecided", json::array()}};
-  for (const CuspCurve& curve : found.curves)
-    object["cusp_curves"].push_back(json_curve(robot, found.range.leg, curve));
-  for (const CuspCount& each : found.counts)
-    object["cusp_counts"].push_back({{"lower", each.lower}, {"upper", each.upper}, {"cusps", each.cusps}});
-  for (const CuspEvent& each : found.undecided) object["undecided"].push_back(json_event(each));
-  const Report constraints = report_constraints(robot);
-  object.update(constraints.json);
-  return {object, robot.name() + ", " + leg.actuated_joint + " from " + number_text(found.range.lower) +
-                      " to " + number_text(found.range.upper) + " " + joint_unit(leg) + ": " +
-                      counted(found.curves.size(), "curve") + " of cusps, " +
-                      (found.complete ? "proved to be all" : "there may be more") + "\n" +
-                      curves_text(robot, found, held) + counts_text(found, held) +
-                      undecided_text(found, leg.actuated_joint) + '\n' + constraints.text};
+std::string uniqueness_text(const Manipulator& robot, const ask::CuspsOverJoint& answer) {
+  const CuspCurves& found = answer.found;
+  const std::string held = answer.joint + " [" + answer.unit + "]";
+  return robot.name() + ", " + answer.joint + " from " + number_text(found.range.lower) + " to " +
+         number_text(found.range.upper) + " " + answer.unit + ": " + counted(found.curves.size(), "curve") +
+         " of cusps, " + (found.complete ? "proved to be all" : "there may be more") + "\n" +
+         curves_text(robot, found, held) + counts_text(found, held) + undecided_text(found, answer.joint);
 }
 
 }  // namespace parallel_aspects::tools

@@ -3,9 +3,7 @@
 
 #include "model/angles.h"
 #include "model/message_text.h"
-#include "tools/report/constraints_report.h"
 #include "tools/report/report.h"
-#include "tools/report/uniqueness_json.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +18,7 @@
 namespace parallel_aspects::tools {
 namespace {
 
-using nlohmann::json;
+bool has_modes(const Manipulator& robot) { return working_modes(robot).size() > 1; }
 
 /// What the map is of: aspects, or components of a slice.
 std::string part_name(const AspectMap& map, const std::string& before) {
@@ -223,8 +221,8 @@ std::string basic_components_text(const Uniqueness& uniqueness) {
 
 /// The set that a region lies over: of several working modes as numbered in each.
 std::string set_below(const Uniqueness& uniqueness, const BasicRegion& region) {
-  if (are_of_all_modes(uniqueness)) return std::to_string(region.over + 1);
-  const auto below = component_below(uniqueness, region);
+  if (ask::are_of_all_modes(uniqueness)) return std::to_string(region.over + 1);
+  const auto below = ask::component_below(uniqueness, region);
   return below ? std::to_string(*below + 1) : "?";
 }
 
@@ -233,7 +231,7 @@ std::string basic_regions_text(const Uniqueness& uniqueness) {
   if (!uniqueness.has_domains || uniqueness.basic_regions.empty()) return "";
   const Manipulator& robot = *uniqueness.map->manipulator();
   TextTable table({">basic region", part_name(*uniqueness.map, ">"),
-                   are_of_all_modes(uniqueness) ? ">over set of its mode" : ">over set",
+                   ask::are_of_all_modes(uniqueness) ? ">over set of its mode" : ">over set",
                    ">actuated values [" + uniqueness.region_unit + "], at least", "unique", "a pose of it",
                    ">domains"});
   const std::vector<std::size_t> listed = listed_of(uniqueness.basic_regions);
@@ -283,38 +281,24 @@ std::string headline(const Uniqueness& uniqueness) {
 
 }  // namespace
 
-Report report_uniqueness(const Uniqueness& uniqueness) {
+std::string uniqueness_text(const Manipulator& /*robot*/, const std::shared_ptr<const Uniqueness>& found) {
+  const Uniqueness& uniqueness = *found;
   const AspectMap& map = *uniqueness.map;
-  json object = json_uniqueness(uniqueness);
-  const Report constraints = report_constraints(*map.manipulator());
-  object.update(constraints.json);
-  return {object, headline(uniqueness) + '\n' + components_text(map) + '\n' + cusps_text(uniqueness) +
-                      nodes_text(uniqueness) + regions_text(*map.manipulator(), uniqueness) +
-                      basic_components_text(uniqueness) + basic_regions_text(uniqueness) +
-                      domains_text(uniqueness) + '\n' + constraints.text};
+  return headline(uniqueness) + '\n' + components_text(map) + '\n' + cusps_text(uniqueness) +
+         nodes_text(uniqueness) + regions_text(*map.manipulator(), uniqueness) +
+         basic_components_text(uniqueness) + basic_regions_text(uniqueness) + domains_text(uniqueness);
 }
 
-Report report_cusps(const Manipulator& robot, const HeldJoint& held, const CuspList& found,
-                    const SolutionNumbers& numbers) {
-  const Leg& leg = robot.leg(held.leg);
-  json object = {{"mechanism", robot.name()},
-                 {"task_space", std::string(name(robot.task_space()))},
-                 {"slice", {{"held", {{leg.actuated_joint, held.value}}}}},
-                 {"cusps", json::array()},
-                 {"cusps_complete", found.complete},
-                 {"undecided_curves", found.leaves_curves}};
-  for (const Cusp& cusp : found.cusps) object["cusps"].push_back(json_cusp(robot, cusp));
-  object.update(json_numbers_of_solutions(robot, numbers));
-  const Report constraints = report_constraints(robot);
-  object.update(constraints.json);
+std::string uniqueness_text(const Manipulator& robot, const ask::CuspsInSlice& answer) {
+  const CuspList& found = answer.found;
   const std::string why =
       found.leaves_curves
           ? "Not decided are curves of poses, as those along which the platform can move while all actuated "
             "joints stand.\n"
           : "";
-  return {object, robot.name() + ", " + leg.actuated_joint + " = " + number_text(held.value) + " " +
-                      joint_unit(leg) + "\n\n" + cusps_text(robot, found.cusps, found.complete, false) + why +
-                      regions_text(robot, numbers) + '\n' + constraints.text};
+  return robot.name() + ", " + answer.joint + " = " + number_text(answer.held.value) + " " +
+         joint_unit(robot.leg(answer.held.leg)) + "\n\n" +
+         cusps_text(robot, found.cusps, found.complete, false) + why + regions_text(robot, answer.numbers);
 }
 
 }  // namespace parallel_aspects::tools

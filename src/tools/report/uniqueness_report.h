@@ -2,20 +2,23 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_REPORT_UNIQUENESS_REPORT_H
 #define PARALLEL_ASPECTS_TOOLS_REPORT_UNIQUENESS_REPORT_H
 
-#include "parallel_aspects/aspects/uniqueness.h"
-#include "tools/report/report.h"
+#include "parallel_aspects/ask/uniqueness_question.h"
+
+#include <string>
 
 namespace parallel_aspects::tools {
 
-/// `aspects uniqueness`: aspects, cusps and uniqueness domains.
-Report report_uniqueness(const Uniqueness& uniqueness);
+/// Aspects, cusps and uniqueness domains.
+std::string uniqueness_text(const Manipulator& robot, const std::shared_ptr<const Uniqueness>& found);
 
-/// The same of a slice of SO3: cusps, and numbers of direct solutions.
-Report report_cusps(const Manipulator& robot, const HeldJoint& held, const CuspList& found,
-                    const SolutionNumbers& numbers);
+/// Of a slice of SO3: cusps, and numbers of direct solutions.
+std::string uniqueness_text(const Manipulator& robot, const ask::CuspsInSlice& answer);
 
-/// `aspects uniqueness --cusps-over`: curves of cusps.
-Report report_cusp_curves(const Manipulator& robot, const CuspCurves& found);
+/// Curves of cusps.
+std::string uniqueness_text(const Manipulator& robot, const ask::CuspsOverJoint& answer);
+
+/// Of a roadmap: which of its poses have the same actuated values as others of their aspect.
+std::string uniqueness_text(const Manipulator& robot, const ask::SurveyOfRoadmap& answer);
 
 }  // namespace parallel_aspects::tools
 

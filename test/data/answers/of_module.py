@@ -48,6 +48,7 @@ pa.read_sweep("module.csv")
 pa.load("bipod").uniqueness()
 planar.uniqueness({"strut_1_joint": 14.98})["cusps"]
 planar.cusp_curves({"strut_1_joint": (26, 26.9)})["cusp_counts"]
+stewart.uniqueness(samples=20, poses=2)
 aspects
 aspects.aspects
 [aspects.coordinates, aspects.unit, aspects.region, aspects.resolution, aspects.working_modes]

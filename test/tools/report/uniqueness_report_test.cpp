@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/uniqueness_report.h"
 
+#include "tools/report/answer_json.h"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -19,8 +21,9 @@ TEST(UniquenessReport, TellsTheWorkingModeOfNumbers) {
   options.most_cells = 4000;
   const UniquenessResult result = compute_uniqueness(test::shipped("three_prr")->manipulator(), options);
   ASSERT_TRUE(result) << result.message;
-  const Report report = report_uniqueness(*result.uniqueness);
-  const json& found = report.json;
+  const Manipulator& robot = *result.uniqueness->map->manipulator();
+  const json found = answer_json(robot, *result.uniqueness);
+  const std::string text = uniqueness_text(robot, result.uniqueness);
   ASSERT_FALSE(found["regions"].empty());
   for (const json& region : found["regions"]) EXPECT_EQ(region["working_mode"].size(), 3U);
   ASSERT_FALSE(found["basic_regions"].empty());
@@ -35,8 +38,8 @@ TEST(UniquenessReport, TellsTheWorkingModeOfNumbers) {
     EXPECT_EQ(component["actuated"], region["actuated"]);
   }
   EXPECT_GE(below, 16U);
-  EXPECT_NE(report.text.find("working mode  solutions"), std::string::npos) << report.text;
-  EXPECT_NE(report.text.find(" over all working modes\n"), std::string::npos) << report.text;
+  EXPECT_NE(text.find("working mode  solutions"), std::string::npos) << text;
+  EXPECT_NE(text.find(" over all working modes\n"), std::string::npos) << text;
 }
 
 }  // namespace

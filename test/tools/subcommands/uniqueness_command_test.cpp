@@ -36,8 +36,7 @@ TEST_F(UniquenessCommand, ListsCurvesOfCusps) {
   for (const json& curve : found["cusp_curves"])
     for (const json& event : curve["events"]) turns += event["kind"] == "turn" ? 1 : 0;
   EXPECT_EQ(turns, 1U);
-  const json& point = found["cusp_curves"][0]["points"][0];
-  EXPECT_EQ(point["held"], point["actuated"][0]);
+  EXPECT_EQ(found["cusp_curves"][0]["points"][0]["actuated"].size(), 3U);
 }
 
 // Where a crank is as long as its rod, boxes that touch a serial singularity stay undecided.

@@ -1,50 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/motion_report/assembly_report.h"
-
-#include "tools/report/constraints_report.h"
 #include "tools/report/report.h"
+#include "tools/report/uniqueness_report.h"
 
 #include <string>
 
 namespace parallel_aspects::tools {
 namespace {
 
-using nlohmann::json;
-
 // What text has of them; JSON has all.
 constexpr std::size_t changes_in_text = 4;
 constexpr std::size_t least_samples_in_text = 2;
-
-json json_counts(const PosesBySolutions& counts) {
-  json list = json::array();
-  for (const auto& [solutions, poses] : counts) list.push_back({{"solutions", solutions}, {"poses", poses}});
-  return list;
-}
-
-json json_solution(TaskSpace space, const ProvedSolution& solution) {
-  return {{"pose", json_pose(space, solution.pose)}, {"radius", solution.radius}};
-}
-
-json json_change(TaskSpace space, const AssemblyChange& change) {
-  json object = {{"actuated", json_numbers(change.actuated)},
-                 {"from", json_solution(space, change.from)},
-                 {"to", json_solution(space, change.to)},
-                 {"path", json::array()},
-                 {"proved", true}};
-  for (const Pose& pose : change.path) object["path"].push_back(json_pose(space, pose));
-  return object;
-}
-
-json json_component(TaskSpace space, const ComponentSurvey& component) {
-  return {{"working_mode", component.mode.signs()},
-          {"determinant_sign", component.determinant_sign},
-          {"component", component.component + 1},
-          {"samples", component.samples},
-          {"poses", component.poses},
-          {"solutions_in_aspect", json_counts(component.in_aspect)},
-          {"unknown", component.unknown},
-          {"assembly_change", component.change ? json_change(space, *component.change) : json()}};
-}
 
 /// "1: 19, 3: 156".
 std::string counts_text(const PosesBySolutions& counts) {
@@ -129,22 +94,10 @@ std::string changes_text(const Manipulator& robot, const AssemblySurvey& survey)
 
 }  // namespace
 
-Report report_assembly_survey(const PoseRoadmap& roadmap, const AssemblySurvey& survey) {
-  const Manipulator& robot = *roadmap.certifier().manipulator();
-  json object = {{"mechanism", robot.name()},
-                 {"task_space", std::string(name(robot.task_space()))},
-                 {"samples", roadmap.poses().size()},
-                 {"seed", roadmap.options().seed},
-                 {"poses", survey.poses},
-                 {"possibly_incomplete", survey.incomplete},
-                 {"solutions", json_counts(survey.solutions)},
-                 {"components", json::array()}};
-  for (const ComponentSurvey& component : survey.components)
-    object["components"].push_back(json_component(robot.task_space(), component));
-  const Report constraints = report_constraints(robot);
-  object.update(constraints.json);
-  return {object, headline(roadmap, survey) + '\n' + components_text(survey) + solutions_text(survey) +
-                      changes_text(robot, survey) + '\n' + constraints.text};
+std::string uniqueness_text(const Manipulator& robot, const ask::SurveyOfRoadmap& answer) {
+  const PoseRoadmap& roadmap = *answer.roadmap;
+  return headline(roadmap, answer.survey) + '\n' + components_text(answer.survey) +
+         solutions_text(answer.survey) + changes_text(robot, answer.survey);
 }
 
 }  // namespace parallel_aspects::tools
