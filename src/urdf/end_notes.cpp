@@ -32,15 +32,16 @@ std::string lengths_of(const Mechanism::Contents& contents) {
 // The list for the YAML, with the lengths that it makes; nothing where it makes no robot.
 std::optional<Note> list_text(const RecognisedEnds& ends, const ResolvedConfig& listed) {
   Problems ignored;
-  const auto contents = ends.recognise(ends.tree, listed, ignored);
+  const auto contents = ends.recognise(ends.subject.shared_tree, listed, ignored);
   if (!contents) return std::nullopt;
-  return "write " + closures_entry(*ends.tree, with_known_types(ends.tree, listed, ends.attempt)) +
-         " under mechanism in " + ends.files.config + lengths_of(*contents);
+  return "write " +
+         closures_entry(ends.subject.tree, with_known_types(ends.subject.shared_tree, listed, ends.attempt)) +
+         " under mechanism in " + ends.subject.files.config + lengths_of(*contents);
 }
 
 // What holds ends apart as they are at zero, as a list.
 ResolvedConfig as_drawn(const RecognisedEnds& ends) {
-  ResolvedConfig drawn = ends.resolved;
+  ResolvedConfig drawn = ends.subject.resolved;
   for (Closure& closure : drawn.closures) {
     closure.at_zero.reset();
     closure.weld = Weld::none;
@@ -51,7 +52,7 @@ ResolvedConfig as_drawn(const RecognisedEnds& ends) {
 // Of a robot that is drawn open.
 Note note_of_meeting(const RecognisedEnds& ends, const Mechanism::Contents& contents) {
   const auto drawn = list_text(ends, as_drawn(ends));
-  const std::string remedies = remedies_of_places(ends.tree, ends.resolved, ends.files, ends.attempt);
+  const std::string remedies = remedies_of_places(ends.subject, ends.attempt);
   return "they are taken to meet" + lengths_of(contents) + "; if " +
          (drawn ? "they are held so, as by simulators, " + *drawn : Note()) +
          (drawn && !remedies.empty() ? "; if " : "") +
@@ -62,8 +63,8 @@ Note note_of_meeting(const RecognisedEnds& ends, const Mechanism::Contents& cont
 }
 
 Note note_of_holding(const RecognisedEnds& ends, const Mechanism::Contents& contents) {
-  const auto together = list_text(ends, as_listed(*ends.tree, ends.resolved));
-  const std::string remedies = remedies_of_places(ends.tree, ends.resolved, ends.files, ends.attempt);
+  const auto together = list_text(ends, as_listed(ends.subject.tree, ends.subject.resolved));
+  const std::string remedies = remedies_of_places(ends.subject, ends.attempt);
   return "they are held so, as by simulators" + lengths_of(contents) + "; if they are to meet, " + remedies +
          (!remedies.empty() && together ? ", or " : "") +
          (together           ? *together
@@ -74,18 +75,17 @@ Note note_of_holding(const RecognisedEnds& ends, const Mechanism::Contents& cont
 }  // namespace
 
 void note_ends(const RecognisedEnds& ends, Mechanism::Contents& contents) {
-  auto crossed = crossed_ends_notes(ends.tree, ends.resolved, ends.files, ends.attempt);
+  auto crossed = crossed_ends_notes(ends.subject, ends.attempt);
   if (!crossed.empty()) {
     std::move(crossed.begin(), crossed.end(), std::back_inserter(contents.notes));
     return;
   }
-  for (Note& note : misplaced_ends_notes(ends.tree, ends.resolved, ends.files, ends.attempt))
+  for (Note& note : misplaced_ends_notes(ends.subject, ends.attempt))
     contents.notes.push_back(std::move(note));
-  const std::string apart = end_gaps_text(*ends.tree, ends.resolved);
+  const std::string apart = end_gaps_text(ends.subject.tree, ends.subject.resolved);
   if (apart.empty()) return;
   contents.notes.push_back(
-      file_of_closures(ends.resolved, ends.files) +
-      " has ends of closures apart while all joints are zero, " + apart + ", and " +
+      ends.subject.file() + " has ends of closures apart while all joints are zero, " + apart + ", and " +
       (ends.ends_meet ? note_of_meeting(ends, contents) : note_of_holding(ends, contents)) + ".");
 }
 

@@ -2,8 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_END_NOTES_H
 #define PARALLEL_ASPECTS_URDF_END_NOTES_H
 
-#include "urdf/closing/resolved_config.h"
-#include "urdf/description/messages.h"
+#include "urdf/corrections/edit.h"
 #include "urdf/diagnosis/attempt.h"
 #include "urdf/mechanism_contents.h"
 
@@ -18,10 +17,8 @@ using RecogniseIn = std::function<std::unique_ptr<Mechanism::Contents>(const std
 
 /// A description that has been recognised, and how others are.
 struct RecognisedEnds {
-  const std::shared_ptr<const Tree>& tree;
-  const ResolvedConfig& resolved;  ///< as it is written
-  bool ends_meet = false;          ///< whether ends that are apart at zero were put together
-  const SourceNames& files;
+  const Subject& subject;  ///< as it is written
+  bool ends_meet = false;  ///< whether ends that are apart at zero were put together
   const RecogniseIn& recognise;
   const Attempt& attempt;
 };

@@ -35,7 +35,10 @@ std::vector<std::vector<Chain>> idle_chains(const std::shared_ptr<const Tree>& t
   if (closed.empty()) return {};
   std::vector<bool> locked(system.in_loop().size(), false);
   for (const std::size_t joint : resolved.actuated_joints.variables) locked[joint] = true;
-  return chains_that_hold_nothing({system, closed.front(), locked}, resolved.actuated_joints, files);
+  std::vector<std::vector<Chain>> idle;
+  for (JoiningPart& part : joining_parts({system, closed.front(), locked}, resolved.actuated_joints, files))
+    if (part.freedom == 6) idle.push_back(std::move(part.chains));
+  return idle;
 }
 
 // Those that were in a loop before and are in none now.

@@ -7,11 +7,12 @@
 #include "urdf/closing/planar_layers.h"
 #include "urdf/closing/resolved_config.h"
 #include "urdf/config/mechanism_config.h"
-#include "urdf/corrections/unit_corrections.h"
+#include "urdf/corrections/edits.h"
 #include "urdf/description/yaml_values.h"
 #include "urdf/diagnosis/closure_gaps.h"
 #include "urdf/diagnosis/diagnosis.h"
 #include "urdf/diagnosis/likely_slips.h"
+#include "urdf/diagnosis/misplaced_ends.h"
 #include "urdf/end_notes.h"
 #include "urdf/home_configuration.h"
 #include "urdf/idle_chains.h"
@@ -26,7 +27,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace parallel_aspects {
@@ -79,23 +79,6 @@ void check_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& r
   throw InvalidDescription(problems.empty() ? wrong.problems() : problems);
 }
 
-// Only what makes a robot is said.
-void note_units(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                const SourceNames& files, const Attempt& attempt, Mechanism::Contents& contents) {
-  const double size = loops_of(tree, resolved).size();
-  const LoopJoints joints(*tree, resolved.closures, size);
-  std::set<std::string> noted;
-  for (const Correction& correction : unit_doubts(*tree, resolved, joints, size, files)) {
-    if (noted.count(correction.element) > 0) continue;
-    auto changed = std::make_shared<Tree>(*tree);
-    ResolvedConfig config = resolved;
-    correction.apply(*changed, config);
-    if (!attempt(changed, config)) continue;
-    noted.insert(correction.element);
-    contents.notes.push_back(correction.fault + "; if so, " + correction.remedy + ".");
-  }
-}
-
 // Throws where there is none.
 std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>& tree,
                                                const MechanismConfig& config, const ResolvedConfig& resolved,
@@ -124,8 +107,10 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     if (!contents) continue;
     if (search.looks_for_remedies) {
       const std::size_t before = contents->notes.size();
-      note_ends({tree, resolved, ends_meet, files, recognise_in, attempt}, *contents);
-      note_units(tree, resolved, files, attempt, *contents);
+      const Subject subject(tree, resolved, files);
+      note_ends({subject, ends_meet, recognise_in, attempt}, *contents);
+      for (Note& note : notes_of_working(subject, unit_edits(subject, subject.loops, true), "if so", attempt))
+        contents->notes.push_back(std::move(note));
       if (auto note = borrowed_length_note(tree, resolved, files, attempt))
         contents->notes.push_back(std::move(*note));
       if (contents->notes.size() == before)  // a frame that is turned turns an axis, too
@@ -148,7 +133,8 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     problems = {
         file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
         end_gaps_text(*tree, resolved) +
-        ", and they are held so; correct the origins of the joints in their loops, if they are to meet."};
+        ", and they are held so; correct the origins of the joints in their loops, if they are to meet" +
+        starts_of_links_text(*tree, resolved) + "."};
   throw InvalidDescription(problems);
 }
 

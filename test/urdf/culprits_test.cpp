@@ -44,11 +44,10 @@ TEST(Culprit, IsASliderThatTwoLegsHold) {
   Description robot = culprit("held_slider");
   EXPECT_EQ(
       refusal(robot),
-      Problems{"robot.urdf joins the platform to the base by the chain of 'h0', without actuated joint, "
-               "which lets the platform move in fewer ways than the actuated joints need; add <link "
-               "name=\"carrier_y\"/><joint name=\"carrier_y\" type=\"prismatic\"><parent "
-               "link=\"base\"/><child link=\"carrier_y\"/><axis xyz=\"0 1 0\"/></joint> and write "
-               "<parent link=\"carrier_y\"/> for joint 'h0', which makes it a robot in T2."});
+      Problems{
+          "robot.urdf joins the platform to the base by the chain of 'h0', without actuated joint, "
+          "which lets it move in 1 way only, while 2 joints are actuated; give the chain the joints that "
+          "it lacks, or hang the platform on a leg."});
   robot.config = replaced(robot.config, "[q1, q3]", "[q1]");
   EXPECT_EQ(refusal(robot), Problems{"robot.urdf is a linkage of one degree of freedom, whose "
                                      "operational_point 'stage' moves on slide 'h0' and is held by several "
@@ -101,7 +100,7 @@ TEST(Culprit, IsTheOperationalPointOfASliderCrank) {
   Description slider = culprit("slider_crank");
   EXPECT_EQ(refusal(slider),
             Problems{"robot.yaml has operational_point 'rod', but the legs of robot.urdf meet in link "
-                     "'slider', as those of a robot in T1; write operational_point: slider."});
+                     "'slider'; write operational_point: slider, which makes it a robot in T1."});
   slider.config = replaced(slider.config, "operational_point: rod", "operational_point: slider");
   EXPECT_EQ(test::load(slider)->manipulator()->task_space(), TaskSpace::T1);
 }
@@ -109,8 +108,8 @@ TEST(Culprit, IsTheOperationalPointOfASliderCrank) {
 TEST(Culprit, IsAnOperationalPointBesideTheJointsOfAHub) {
   Description robot = culprit("hub");
   EXPECT_EQ(refusal(robot), Problems{"robot.yaml has operational_point 'camera', but the legs of robot.urdf "
-                                     "meet in link 'hub', as those of a robot in T2; write "
-                                     "operational_point: hub."});
+                                     "meet in link 'hub'; write operational_point: hub, which makes it a "
+                                     "robot in T2."});
   robot.config = replaced(robot.config, "operational_point: camera", "operational_point: hub");
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::T2);
 }

@@ -284,7 +284,7 @@ TEST(PassiveChain, OfOneSlideBoundsALine) {
   for (const Aspect& aspect : result.map->aspects()) EXPECT_NEAR(aspect.measure, 1.5, 0.1);
 }
 
-// A turning slide has limits and directions of its own. Written as the message says, it loads.
+// A turning slide has limits and directions of its own.
 TEST(PassiveChain, IsRefusedWhereItCouplesCoordinates) {
   const Description polar = extended(
       shipped_text("five_bar"),
@@ -293,26 +293,31 @@ TEST(PassiveChain, IsRefusedWhereItCouplesCoordinates) {
       "{frames: [tool, hand], type: point}");
   const Problems problems = test::refusal(polar.urdf, polar.config);
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(problems[0],
-            "robot.urdf joins the platform to the base by the chain of 'turn', 'reach', without actuated "
-            "joint, which is an arm whose own reach would bound the robot; write type=\"prismatic\" and "
-            "<axis xyz=\"1 0 0\"/> without <limit> for joint 'turn', which makes it a robot in T2.");
-  EXPECT_EQ(test::followed(polar, problems[0]).size(), 1U);
-  for (const Description& slides : test::followed(polar, problems[0]))
-    EXPECT_TRUE(any_note(*test::load(slides), takes_nothing));
+  EXPECT_EQ(
+      problems[0],
+      "robot.urdf joins the platform to the base by a chain without actuated joint, 'turn', 'reach', that "
+      "has the slide 'reach' after a joint that turns it; write it as slides along fixed directions first, "
+      "then revolute joints about different axes, three of them orthogonal one to the next, or one ball "
+      "joint.");
   EXPECT_EQ(test::load(five_bar_on_slides("", ""))->mobility(), 2);
 }
 
-// A platform that hangs on an arm, and one on too few slides: each remedy is followed to the letter.
-std::vector<Description> corrected(const Description& robot, TaskSpace space) {
+// By its rank, or since it is an arm; nothing is offered that would make another robot of it.
+void expect_chain_is_named(const Description& robot, const std::string& fault) {
   const Problems problems = test::refusal(robot.urdf, robot.config);
-  EXPECT_EQ(problems.size(), 1U);
-  const std::string said = problems.empty() ? "" : problems.front();
-  EXPECT_EQ(said.rfind("robot.urdf joins the platform to the base by the chain of 'p1'", 0), 0U) << said;
-  const std::vector<Description> after = test::followed(robot, said);
-  EXPECT_EQ(after.size(), 1U) << said;
-  for (const Description& one : after) EXPECT_EQ(test::load(one)->manipulator()->task_space(), space) << said;
-  return after;
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems.front().rfind("robot.urdf joins the platform to the base by ", 0), 0U)
+      << problems.front();
+  EXPECT_NE(problems.front().find("'p1'"), std::string::npos) << problems.front();
+  EXPECT_NE(problems.front().find(fault), std::string::npos) << problems.front();
+  EXPECT_TRUE(test::followed(robot, problems.front()).empty()) << problems.front();
+}
+
+constexpr const char* arm = "that turns about the same direction twice";
+
+std::string ways(int chain, int joints) {
+  return "which lets it move in " + std::to_string(chain) + (chain == 1 ? " way" : " ways") +
+         " only, while " + std::to_string(joints) + " joints are actuated";
 }
 
 std::string turning(const std::string& name, const std::string& parent, const std::string& child,
@@ -325,11 +330,7 @@ TEST(PassiveChain, IsAnArmThatTheToolOfAFiveBarHangsOn) {
   for (const char* wrist : {"fixed", "continuous"}) {
     robot.urdf = replaced(robot.urdf, "name=\"tool_joint\" type=\"fixed\"",
                           "name=\"tool_joint\" type=\"" + std::string(wrist) + "\"");
-    for (const Description& after : corrected(robot, TaskSpace::T2)) {
-      const auto mechanism = test::load(after);
-      for (const Leg& leg : mechanism->manipulator()->legs())
-        EXPECT_NEAR(leg.rod_length, leg.name == "leg_1" ? 5.0 : 8.0, 1e-9);
-    }
+    expect_chain_is_named(robot, arm);
   }
 }
 
@@ -345,16 +346,16 @@ Description hung_on(const std::string& joints) {
 }
 
 TEST(PassiveChain, IsAnArmThatAPlatformHangsOn) {
-  const auto shipped = test::shipped("three_rrr");
-  for (const std::string& joints :
-       {turning("p1", "base_link", "upper", "") + turning("p2", "upper", "platform", "xyz=\"4 0 0\""),
-        turning("p1", "base_link", "upper", "") + turning("p2", "upper", "lower", "xyz=\"4 0 0\"") +
-            turning("p3", "lower", "platform", "xyz=\"4 0 0\""),
-        slide("p1", "base_link", "upper", "1 0 0") + slide("p2", "upper", "platform", "0 1 0"),
-        slide("p1", "base_link", "upper", "1 0 0") + turning("p2", "upper", "platform", ""),
-        slide("p1", "base_link", "platform", "0 1 0"), turning("p1", "base_link", "platform", "")})
-    for (const Description& after : corrected(hung_on(joints), TaskSpace::SE2))
-      expect_same_legs(*test::load(after), *shipped, 1e-9);
+  const std::string first = turning("p1", "base_link", "upper", "");
+  expect_chain_is_named(hung_on(first + turning("p2", "upper", "platform", "xyz=\"4 0 0\"")), ways(2, 3));
+  expect_chain_is_named(hung_on(first + turning("p2", "upper", "lower", "xyz=\"4 0 0\"") +
+                                turning("p3", "lower", "platform", "xyz=\"4 0 0\"")),
+                        arm);
+  const std::string along = slide("p1", "base_link", "upper", "1 0 0");
+  expect_chain_is_named(hung_on(along + slide("p2", "upper", "platform", "0 1 0")), ways(2, 3));
+  expect_chain_is_named(hung_on(along + turning("p2", "upper", "platform", "")), ways(2, 3));
+  expect_chain_is_named(hung_on(slide("p1", "base_link", "platform", "0 1 0")), ways(1, 3));
+  expect_chain_is_named(hung_on(turning("p1", "base_link", "platform", "")), ways(1, 3));
 }
 
 // Without its slide along x.
@@ -365,8 +366,7 @@ TEST(PassiveChain, IsOfTooFewSlidesForADelta) {
   robot.urdf.erase(start, end - start);
   robot.urdf = replaced(robot.urdf, "<parent link=\"carriage_x\"/>", "<parent link=\"base_link\"/>");
   robot.urdf = replaced(robot.urdf, "\"slide_y\"", "\"p1\"");
-  for (const Description& after : corrected(robot, TaskSpace::T3))
-    expect_same_legs(*test::load(after), *test::shipped("delta"), 1e-9);
+  expect_chain_is_named(robot, ways(2, 3));
 }
 
 // A closure that ends on the chain, and not on the platform that the chain carries.
@@ -377,8 +377,8 @@ TEST(PassiveChain, IsNotWhereALegEnds) {
   EXPECT_EQ(
       test::refusal(robot.urdf, robot.config),
       Problems{"robot.yaml closes 'carriage_y - rod_2' at link 'carriage_y', which is not on the body of "
-               "operational_point 'platform'; write link 'platform' there, which makes it a robot in "
-               "SE2."});
+               "operational_point 'platform'; write link 'platform' in the place of 'carriage_y' in closure "
+               "'carriage_y - rod_2', which makes it a robot in SE2."});
 }
 
 // Walls where the operational point is on the axis of the yaw, and else said to be none.

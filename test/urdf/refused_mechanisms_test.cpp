@@ -23,8 +23,8 @@ TEST(RefusedMechanism, HasItsOperationalPointBesideTheBallOfADrivenElbow) {
   five_bar.config =
       replaced(five_bar.config, "[crank_1_joint, crank_2_joint]", "[elbow_1_joint, crank_2_joint]");
   const Problems expected{
-      "robot.yaml has operational_point 'camera', but the legs of robot.urdf meet in link 'ball_3', as those "
-      "of a robot in T2; write operational_point: ball_3."};
+      "robot.yaml has operational_point 'camera', but the legs of robot.urdf meet in link 'ball_3'; write "
+      "operational_point: ball_3, which makes it a robot in T2."};
   EXPECT_EQ(test::refusal(five_bar.urdf, five_bar.config), expected);
 }
 
@@ -89,9 +89,8 @@ TEST(RefusedMechanism, HasItsOperationalPointInsideARod) {
                "<link name=\"camera\"/>" + fixed_joint("rod_1", "camera", "xyz=\"2 0.5 0\"") + "</robot>");
   five_bar.config = replaced(five_bar.config, "operational_point: tool", "operational_point: camera");
   const Problems expected{
-      "robot.yaml has operational_point 'camera', but the legs of robot.urdf meet in link 'tool', as those "
-      "of "
-      "a robot in T2; write operational_point: tool."};
+      "robot.yaml has operational_point 'camera', but the legs of robot.urdf meet in link 'tool'; write "
+      "operational_point: tool, which makes it a robot in T2."};
   EXPECT_EQ(test::refusal(five_bar.urdf, five_bar.config), expected);
 }
 

@@ -73,11 +73,11 @@ class LegFinder {
     return found;
   }
 
-  std::vector<std::vector<Chain>> idle() {
-    std::vector<std::vector<Chain>> result;
+  std::vector<JoiningPart> parts() {
+    std::vector<JoiningPart> result;
     if (base_ == platform_) return result;
     for (const std::vector<std::size_t>& part : joining_parts())
-      if (freedom_left({held_by(part)}) == 6) result.push_back(chains_of(part));
+      result.push_back({chains_of(part), freedom_left({held_by(part)}), !actuated_joints_of(part).empty()});
     return result;
   }
 
@@ -403,11 +403,10 @@ std::vector<std::vector<LegJoint>> joints_by_leg(const ClosureSystem& system,
   return LegFinder(at_zero, actuated_joints, files, unused).joints();
 }
 
-std::vector<std::vector<Chain>> chains_that_hold_nothing(const AssembledMechanism& mechanism,
-                                                         const ActuatedJoints& actuated_joints,
-                                                         const SourceNames& files) {
+std::vector<JoiningPart> joining_parts(const AssembledMechanism& mechanism,
+                                       const ActuatedJoints& actuated_joints, const SourceNames& files) {
   Problems unused;
-  return LegFinder(mechanism, actuated_joints, files, unused).idle();
+  return LegFinder(mechanism, actuated_joints, files, unused).parts();
 }
 
 }  // namespace parallel_aspects

@@ -83,11 +83,15 @@ Note joint_names_of(const Chain& chain);
 FoundLegs find_legs(const AssembledMechanism& mechanism, const ActuatedJoints& actuated_joints,
                     const SourceNames& files, Problems& problems);
 
-/// The parts between base and platform that keep the platform from no motion, by the rank of their twists,
-/// though `mechanism.still` are fixed; the chains of each.
-std::vector<std::vector<Chain>> chains_that_hold_nothing(const AssembledMechanism& mechanism,
-                                                         const ActuatedJoints& actuated_joints,
-                                                         const SourceNames& files);
+/// A part between base and platform, and by the rank of its twists in how many ways it lets the platform
+/// move, though `AssembledMechanism::still` are fixed.
+struct JoiningPart {
+  std::vector<Chain> chains;
+  Eigen::Index freedom = 6;
+  bool is_actuated = false;  ///< whether an actuated joint is in it
+};
+std::vector<JoiningPart> joining_parts(const AssembledMechanism& mechanism,
+                                       const ActuatedJoints& actuated_joints, const SourceNames& files);
 
 /// A joint between base and platform.
 struct LegJoint {

@@ -87,15 +87,20 @@ LoopJoints::LoopJoints(const Tree& tree, const std::vector<Closure>& closures, d
   }
   for (std::size_t k = 0; k < in_loop.size(); ++k)
     if (in_loop[k]) all_.push_back(k);
+  // Whatever one that is in millimetres makes of it.
+  if (const double usual = usual_length(); usual > 0.0) size_ = std::min(size_, usual_lengths * usual);
+}
+
+double LoopJoints::usual_length(std::optional<std::size_t> except) const {
   std::vector<double> lengths;
-  for (const std::size_t joint : all_) {
-    const double length = tree.joints[joint].origin.translation().norm();
-    if (length > 0.0) lengths.push_back(length);
-  }
-  if (lengths.empty()) return;
+  for (const std::size_t joint : all_)
+    if (const double length = tree_.joints[joint].origin.translation().norm();
+        length > 0.0 && joint != except)
+      lengths.push_back(length);
+  if (lengths.empty()) return 0.0;
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
-  size_ = std::min(size_, usual_lengths * *middle);  // whatever one that is in millimetres makes of it
+  return *middle;
 }
 
 std::vector<std::size_t> LoopJoints::siblings(std::size_t joint) const {
@@ -120,6 +125,21 @@ bool LoopJoints::same_place(std::size_t one, std::size_t other) const {
 bool LoopJoints::same_direction(std::size_t one, std::size_t other) const {
   const Eigen::Matrix3d between = tree_.joints[one].origin.linear() - tree_.joints[other].origin.linear();
   return between.norm() < rank_tolerance;
+}
+
+std::vector<UsualSibling> usual_siblings(const LoopJoints& loops, std::size_t joint,
+                                         const std::function<bool(std::size_t, std::size_t)>& are_alike) {
+  const std::vector<std::size_t> siblings = loops.siblings(joint);
+  const auto like = [&](std::size_t one) {
+    return std::count_if(siblings.begin(), siblings.end(),
+                         [&](std::size_t other) { return are_alike(one, other); });
+  };
+  const auto own = like(joint) + 1;
+  std::vector<UsualSibling> usual;
+  for (const std::size_t sibling : siblings)
+    if (const auto count = like(sibling); !are_alike(joint, sibling) && count >= own)
+      usual.push_back({sibling, count > own && count > 1});
+  return usual;
 }
 
 bool LoopJoints::is_like_others(std::size_t joint) const {

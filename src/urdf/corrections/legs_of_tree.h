@@ -7,6 +7,8 @@
 #include "urdf/description/tree.h"
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace parallel_aspects {
@@ -33,6 +35,9 @@ class LoopJoints {
   /// Whether two siblings have its type, axis and origin.
   bool is_like_others(std::size_t joint) const;
 
+  /// The middle one of the lengths of all origins but that of `except`; zero where none has a length [m].
+  double usual_length(std::optional<std::size_t> except = std::nullopt) const;
+
   bool same_motion(std::size_t one, std::size_t other) const;
   bool same_place(std::size_t one, std::size_t other) const;      ///< origins, without their rotations
   bool same_direction(std::size_t one, std::size_t other) const;  ///< rotations of the origins
@@ -43,6 +48,14 @@ class LoopJoints {
   std::vector<std::size_t> all_;
   std::vector<std::size_t> depth_;  // of each joint of the tree
 };
+
+/// Siblings that a joint is unlike, while as many are like them, at least, as are like the joint.
+struct UsualSibling {
+  std::size_t joint = 0;
+  bool is_most = false;  ///< whether more are, and two at least
+};
+std::vector<UsualSibling> usual_siblings(const LoopJoints& loops, std::size_t joint,
+                                         const std::function<bool(std::size_t, std::size_t)>& are_alike);
 
 }  // namespace parallel_aspects
 

@@ -3,8 +3,7 @@
 
 #include "model/message_text.h"
 #include "urdf/closing/planar_layers.h"
-#include "urdf/corrections/correction.h"
-#include "urdf/corrections/legs_of_tree.h"
+#include "urdf/corrections/edit.h"
 
 #include <algorithm>
 #include <array>
@@ -249,6 +248,22 @@ std::string end_gaps_text(const Tree& tree, const ResolvedConfig& resolved) {
     text += (text.empty() ? "'" : ", '") + tree.links[closure.frames[0].link] + "' and '" +
             tree.links[closure.frames[1].link] + "' by " + number(gaps[k]) + " m (closure '" + closure.name +
             "')";
+  }
+  return text;
+}
+
+std::string starts_of_links_text(const Tree& tree, const ResolvedConfig& resolved) {
+  const std::vector<double> gaps = end_gaps(tree, resolved.closures);
+  std::string text;
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    const Closure& closure = resolved.closures[k];
+    const std::size_t link = closure.frames[1].link;
+    const auto joint = tree.joint_above[link];
+    if (gaps[k] <= meeting_tolerance(tree, resolved) || !joint || !tree.joints[*joint].variable) continue;
+    text += "; closure '" + closure.name + "' holds link '" + tree.links[link] + "' where joint '" +
+            tree.joints[*joint].name +
+            "' is: give its far end, if that is meant, by {link: " + tree.links[link] +
+            ", xyz: [X, Y, Z]} or the <pose> of a <gazebo><joint>";
   }
   return text;
 }

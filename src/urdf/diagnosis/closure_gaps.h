@@ -81,6 +81,10 @@ std::optional<std::string> list_of_ends(const std::shared_ptr<const Tree>& tree,
 /// "'a' and 'b' by 0.05 m (closure 'c')" of all ends that are apart.
 std::string end_gaps_text(const Tree& tree, const ResolvedConfig& resolved);
 
+/// "; give ..." for ends that are apart at the start of a link, where its joint is, and may be meant at its
+/// far end, for which the description has no frame.
+std::string starts_of_links_text(const Tree& tree, const ResolvedConfig& resolved);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_DIAGNOSIS_CLOSURE_GAPS_H

@@ -2,8 +2,7 @@
 #include "urdf/diagnosis/likely_slips.h"
 
 #include "model/message_text.h"
-#include "urdf/corrections/correction.h"
-#include "urdf/corrections/legs_of_tree.h"
+#include "urdf/corrections/edit.h"
 #include "urdf/description/name_words.h"
 #include "urdf/diagnosis/closure_gaps.h"
 

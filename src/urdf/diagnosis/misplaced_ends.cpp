@@ -2,15 +2,13 @@
 #include "urdf/diagnosis/misplaced_ends.h"
 
 #include "model/message_text.h"
-#include "urdf/corrections/closure_end_corrections.h"
-#include "urdf/corrections/gap_corrections.h"
-#include "urdf/corrections/legs_of_tree.h"
-#include "urdf/corrections/listed_corrections.h"
-#include "urdf/corrections/unit_corrections.h"
+#include "urdf/corrections/edits.h"
 #include "urdf/diagnosis/closure_gaps.h"
+#include "urdf/diagnosis/edit_search.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
@@ -76,34 +74,25 @@ class CrossedPlaces {
 };
 
 // Nothing where the ends make no robot in this order.
-std::optional<Note> note(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                         const Correction& exchange, const std::string& reason, const SourceNames& files,
+std::optional<Note> note(const Subject& s, const Edit& exchange, const std::string& reason,
                          const Attempt& attempt) {
-  Tree same = *tree;
-  ResolvedConfig exchanged = resolved;
-  exchange.apply(same, exchanged);
-  ResolvedConfig listed = as_listed(*tree, exchanged);
-  if (!attempt(tree, listed)) return std::nullopt;
+  const ResolvedConfig listed = as_listed(s.tree, edited(s, exchange).resolved);
+  if (!attempt(s.shared_tree, listed)) return std::nullopt;
   return "It seems that " + exchange.fault + ", " + reason + "; if so, " + exchange.remedy + ", or write " +
-         closures_entry(*tree, with_known_types(tree, listed, attempt)) + " under mechanism in " +
-         files.config + ".";
+         closures_entry(s.tree, with_known_types(s.shared_tree, listed, attempt)) + " under mechanism in " +
+         s.files.config + ".";
 }
 
 }  // namespace
 
-Notes crossed_ends_notes(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                         const SourceNames& files, const Attempt& attempt) {
-  if (const auto by_names = ends_paired_by_names(*tree, resolved, files))
-    if (auto text = note(tree, resolved, *by_names, "as their names say", files, attempt)) return {*text};
-  const CrossedPlaces crossed(*tree, resolved);
+Notes crossed_ends_notes(const Subject& subject, const Attempt& attempt) {
+  for (const Edit& by_names : ends_paired_by_names(subject))
+    if (auto text = note(subject, by_names, "as their names say", attempt)) return {*text};
+  const CrossedPlaces crossed(subject.tree, subject.resolved);
   Notes notes;
-  for (const Correction& exchange : exchanged_ends(*tree, resolved, files, true)) {
-    Tree same = *tree;
-    ResolvedConfig exchanged = resolved;
-    exchange.apply(same, exchanged);
-    if (const auto reason = crossed.reason(exchanged.closures))
-      if (auto text = note(tree, resolved, exchange, *reason, files, attempt)) notes.push_back(*text);
-  }
+  for (const Edit& exchange : exchanged_ends(subject, true))
+    if (const auto reason = crossed.reason(edited(subject, exchange).resolved.closures))
+      if (auto text = note(subject, exchange, *reason, attempt)) notes.push_back(*text);
   return notes;
 }
 
@@ -120,17 +109,6 @@ std::vector<std::size_t> those_apart(const Tree& tree, const ResolvedConfig& res
   for (std::size_t k = 0; k < gaps.size(); ++k)
     if (gaps[k] && *gaps[k] > meet) apart.push_back(k);
   return apart;
-}
-
-// What the corrected description is recognised as, with its ends as they are then; nothing where they are
-// apart.
-std::optional<std::string> put_together(const Correction& correction, const std::shared_ptr<const Tree>& tree,
-                                        const ResolvedConfig& resolved, const Attempt& attempt) {
-  auto changed = std::make_shared<Tree>(*tree);
-  ResolvedConfig config = resolved;
-  correction.apply(*changed, config);
-  place_at_zero(*changed, config.closures);
-  return those_apart(*changed, config).empty() ? attempt(changed, config) : std::nullopt;
 }
 
 // A link that carries others, or that several closures hold, is a body; a place in it is none.
@@ -182,113 +160,85 @@ ApartEnds apart_ends(const Tree& tree, const ResolvedConfig& resolved) {
   return ends;
 }
 
-Notes notes_beside_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                        const SourceNames& files, const Attempt& attempt) {
-  Notes notes;
-  for (const Correction& correction : end_place_corrections(*tree, resolved, files)) {
-    auto changed = std::make_shared<Tree>(*tree);
-    ResolvedConfig config = resolved;
-    correction.apply(*changed, config);
-    if (attempt(changed, config))
-      notes.push_back(correction.fault + "; if it is to be there, " + correction.remedy + ".");
+// Of one origin in the loops whose ends are apart: those that put all ends together.
+Edits edits_that_join(const Subject& s) {
+  Edits joining;
+  for (Edit& edit : place_edits(s)) {
+    const Edited after = edited(s, edit);
+    if (those_apart(*after.tree, after.resolved).empty()) joining.push_back(std::move(edit));
   }
-  return notes;
-}
-
-struct Working {
-  Correction correction;
-  std::string space;
-};
-
-// Those that put all ends together, each of another element.
-std::vector<Working> working_at_zero(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                                     const SourceNames& files, const Attempt& attempt) {
-  std::vector<Working> working;
-  std::set<std::string> corrected;
-  for (const Correction& correction : place_corrections(tree, resolved, files)) {
-    if (working.size() == max_remedies || corrected.count(correction.element) > 0) continue;
-    const auto space = put_together(correction, tree, resolved, attempt);
-    if (!space) continue;
-    corrected.insert(correction.element);
-    working.push_back({correction, *space});
-  }
-  return working;
-}
-
-std::string joined(const std::vector<Working>& working, const std::string& between) {
-  std::string all;
-  for (const Working& each : working) all += (all.empty() ? "" : between) + each.correction.remedy;
-  return all;
+  return joining;
 }
 
 }  // namespace
 
-Corrections end_place_corrections(const Tree& tree, const ResolvedConfig& resolved,
-                                  const SourceNames& files) {
-  Corrections found;
+Edits end_place_edits(const Subject& subject) {
+  const Tree& tree = subject.tree;
+  Edits found;
   const Poses poses = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
-  const std::vector<std::optional<double>> gaps = gaps_at_zero(tree, resolved.closures);
-  for (const std::size_t k : held_beside_ends(tree, resolved)) {
-    const auto& [first, second] = resolved.closures[k].frames;
+  const std::vector<std::optional<double>> gaps = gaps_at_zero(tree, subject.resolved.closures);
+  for (const std::size_t k : held_beside_ends(tree, subject.resolved)) {
+    const auto& [first, second] = subject.resolved.closures[k].frames;
     const Eigen::Vector3d place = rounded(poses[second.link].inverse() * poses[first.link].translation());
-    const std::string element = "closure '" + resolved.closures[k].name + "'";
-    found.push_back(
-        {element,
-         file_of_closures(resolved, files) + " has " + element + " " + number_text(gaps[k].value_or(0.0), 4) +
-             " m beside the origin of link '" + tree.links[first.link] + "' while all joints are zero",
-         place_remedy(tree, resolved, k, place), true, [k, place](Tree&, ResolvedConfig& changed) {
-           changed.closures[k].frames[1].in_link.translation() = place;
-         }});
+    found.push_back(edit_of(subject,
+                            subject.file() + " has " + subject.closure(k) + " " +
+                                number_text(gaps[k].value_or(0.0), 4) + " m beside the origin of link " +
+                                subject.link(first.link) + " while all joints are zero",
+                            {moved(subject, {k, 1, place}, place)}, true));
   }
   return found;
 }
 
-Corrections place_corrections(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                              const SourceNames& files) {
-  const double size =
-      ClosureSystem(tree, resolved.base, with_type(resolved.closures, ClosureType::point)).size();
-  const LoopJoints loops(*tree, resolved.closures, size);
-  const std::vector<std::size_t> indices = those_apart(*tree, resolved);
+Edits place_edits(const Subject& subject) {
+  const std::vector<std::size_t> indices = those_apart(subject.tree, subject.resolved);
   std::vector<Closure> apart;
-  for (const std::size_t k : indices) apart.push_back(resolved.closures[k]);
-  const LoopJoints suspects(*tree, apart, size);
-  Corrections found = unit_corrections(*tree, resolved, suspects, size, files);
-  for (Correction& correction : closure_place_corrections(*tree, resolved, indices, files))
-    found.push_back(std::move(correction));
-  for (const std::size_t joint : suspects.all())
-    for (Correction& correction : gap_corrections(*tree, loops, joint, files))
-      found.push_back(std::move(correction));
+  for (const std::size_t k : indices) apart.push_back(subject.resolved.closures[k]);
+  const LoopJoints suspects(subject.tree, apart, subject.size());
+  Edits found = unit_edits(subject, suspects);
+  const auto append = [&](Edits more) { std::move(more.begin(), more.end(), std::back_inserter(found)); };
+  append(closure_place_edits(subject, indices));
+  for (const std::size_t joint : suspects.all()) append(origin_edits(subject, joint));
   return found;
 }
 
-std::string remedies_of_places(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                               const SourceNames& files, const Attempt& attempt) {
-  return joined(working_at_zero(tree, resolved, files, attempt), ", or ");
+Edits edits_of_apart_ends(const Subject& subject) {
+  const ApartEnds ends = apart_ends(subject.tree, subject.resolved);
+  return ends.stand_out() || ends.all_apart() ? edits_that_join(subject) : Edits{};
 }
 
-std::optional<Diagnosis> origin_of_ends(const std::shared_ptr<const Tree>& tree,
-                                        const ResolvedConfig& resolved, const SourceNames& files,
-                                        const Attempt& attempt) {
-  const ApartEnds ends = apart_ends(*tree, resolved);
-  if (!ends.stand_out() && !ends.all_apart()) return std::nullopt;
-  const std::vector<Working> working = working_at_zero(tree, resolved, files, attempt);
-  if (working.empty()) return std::nullopt;
-  if (working.size() > 1)
-    return without_remedy(ends.fault(files) + "; " + joined(working, "; or ") +
-                          "; each alone makes it a robot.");
-  const auto& [correction, space] = working.front();
-  return with_remedy(correction.fault + "; " + correction.remedy + ", which makes it a robot in " + space +
-                     ".");
+std::string remedies_of_places(const Subject& subject, const Attempt& attempt) {
+  std::string remedies;
+  std::set<std::string> corrected;
+  for (const Edit& edit : edits_that_join(subject)) {
+    if (corrected.size() == max_remedies || corrected.count(edit.element) > 0) continue;
+    const Edited after = edited(subject, edit);
+    if (!attempt(after.tree, after.resolved)) continue;
+    corrected.insert(edit.element);
+    remedies += (remedies.empty() ? "" : ", or ") + edit.remedy;
+  }
+  return remedies;
 }
 
-Notes misplaced_ends_notes(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                           const SourceNames& files, const Attempt& attempt) {
-  const ApartEnds ends = apart_ends(*tree, resolved);
-  const std::string remedies = ends.stand_out() || ends.all_apart()
-                                   ? remedies_of_places(tree, resolved, files, attempt)
-                                   : std::string();
-  if (!ends.stand_out() && remedies.empty()) return notes_beside_ends(tree, resolved, files, attempt);
-  return {ends.fault(files) + "; if these are to meet there" + (ends.all_apart() ? ", " : ", too, ") +
+Notes notes_of_working(const Subject& subject, const Edits& edits, const std::string& condition,
+                       const Attempt& attempt) {
+  Notes notes;
+  std::set<std::string> noted;
+  for (const Edit& edit : edits) {
+    const Edited after = edited(subject, edit);
+    if (noted.count(edit.element) > 0 || !attempt(after.tree, after.resolved)) continue;
+    noted.insert(edit.element);
+    notes.push_back(edit.fault + "; " + condition + ", " + edit.remedy + ".");
+  }
+  return notes;
+}
+
+Notes misplaced_ends_notes(const Subject& subject, const Attempt& attempt) {
+  const ApartEnds ends = apart_ends(subject.tree, subject.resolved);
+  const std::string remedies =
+      ends.stand_out() || ends.all_apart() ? remedies_of_places(subject, attempt) : std::string();
+  if (!ends.stand_out() && remedies.empty())
+    return notes_of_working(subject, end_place_edits(subject), "if it is to be there", attempt);
+  return {ends.fault(subject.files) + "; if these are to meet there" + (ends.all_apart() ? ", " : ", too, ") +
           (remedies.empty() ? "correct the origins of the joints in their loops" : remedies) + "."};
 }
 

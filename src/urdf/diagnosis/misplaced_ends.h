@@ -2,48 +2,41 @@
 #ifndef PARALLEL_ASPECTS_URDF_DIAGNOSIS_MISPLACED_ENDS_H
 #define PARALLEL_ASPECTS_URDF_DIAGNOSIS_MISPLACED_ENDS_H
 
-#include "urdf/closing/resolved_config.h"
-#include "urdf/corrections/correction.h"
+#include "urdf/corrections/edit.h"
 #include "urdf/description/messages.h"
 #include "urdf/diagnosis/attempt.h"
 
-#include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace parallel_aspects {
 
 /// Closures of a robot that loads whose ends are exchanged, as their names say, or the places of their ends
 /// while all joints are zero; with the list for the YAML that has them in order.
-Notes crossed_ends_notes(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                         const SourceNames& files, const Attempt& attempt);
+Notes crossed_ends_notes(const Subject& subject, const Attempt& attempt);
 
 /// Of closures that hold a link that is there for them alone beside its origin, by a place in the other link:
 /// the place where that origin is while all joints are zero.
-Corrections end_place_corrections(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files);
+Edits end_place_edits(const Subject& subject);
 
-/// Changes of origins of joints in loops whose ends are apart while all joints are zero: guesses.
-Corrections place_corrections(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                              const SourceNames& files);
+/// Changes of origins of joints in loops whose ends are apart while all joints are zero.
+Edits place_edits(const Subject& subject);
+
+/// Those of them that put all ends together, where several ends of closures in a list are apart while all
+/// joints are zero, or where those of others meet.
+Edits edits_of_apart_ends(const Subject& subject);
 
 /// Changes of the origin of one joint that put together, while all joints are zero, all ends of closures: a
 /// few of those that make a robot, as "write xyz=\"1 0 0\" in the origin of joint 'a', or write ..."; empty
 /// where none does.
-std::string remedies_of_places(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                               const SourceNames& files, const Attempt& attempt);
+std::string remedies_of_places(const Subject& subject, const Attempt& attempt);
 
-/// Of a description that makes no robot: several ends of closures in a list that are apart while all joints
-/// are zero, or where those of others meet, and that the origin of one joint puts together, which makes a
-/// robot of it; nothing where none does.
-std::optional<Diagnosis> origin_of_ends(const std::shared_ptr<const Tree>& tree,
-                                        const ResolvedConfig& resolved, const SourceNames& files,
-                                        const Attempt& attempt);
+/// Of a robot that loads: edits of it that load, too, one for each element; "FAULT; CONDITION, REMEDY.".
+Notes notes_of_working(const Subject& subject, const Edits& edits, const std::string& condition,
+                       const Attempt& attempt);
 
 /// Of a robot that loads: ends of closures in a list that are apart while all joints are zero, and those of
 /// most others together; or all of several, which the origin of one joint puts together.
-Notes misplaced_ends_notes(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                           const SourceNames& files, const Attempt& attempt);
+Notes misplaced_ends_notes(const Subject& subject, const Attempt& attempt);
 
 }  // namespace parallel_aspects
 

@@ -286,7 +286,6 @@ std::string with_joint(const std::string& urdf, const std::string& remedy) {
     const std::string carried = quoted(remedy, "<child link=\"([^\"]+)\"/>");
     if (!parent.empty()) child(joint, "parent")->SetAttribute("link", parent.c_str());
     if (!carried.empty()) child(joint, "child")->SetAttribute("link", carried.c_str());
-    if (remedy.find("without <limit>") != std::string::npos) joint->DeleteChild(child(joint, "limit"));
     for (const std::string key : {"lower", "upper"})
       if (const std::string value = quoted(remedy, key + "=\"([^\"]+)\""); !value.empty())
         child(joint, "limit")->SetAttribute(key.c_str(), value.c_str());
@@ -319,7 +318,7 @@ std::vector<FaultyRobot> faulty_robots(const std::string& robot) { return Faults
 
 std::vector<std::string> remedies(const std::string& message) {
   const std::regex remedy(
-      "write ((type=\"[^\"]+\")?( and )?(<axis xyz=\"[^\"]+\"/>)?( without <limit>)? for joint '[^']+'"
+      "write ((type=\"[^\"]+\")?( and )?(<axis xyz=\"[^\"]+\"/>)? for joint '[^']+'"
       "|lower=\"[^\"]+\" upper=\"[^\"]+\" for joint '[^']+'|<child link=\"[^\"]+\"/> for joint '[^']+'"
       "|(xyz|rpy)=\"[^\"]+\" in the origin of joint '[^']+'|type: \\w+ for closure '[^']+'"
       "|<parent link=\"[^\"]+\"/> for joint '[^']+'|link '[^']+' in the place of '[^']+' in closure '[^']+'"

@@ -404,16 +404,16 @@ TEST(FrameCorrection, IsAClosureOfAnotherLinkOfAFiveBar) {
   }
 }
 
-// It has no link of its own there.
+// It has no link of its own there, and no length of another rod is offered for it.
 TEST(FrameCorrection, IsTheFarEndOfARod) {
   Description robot{test::source_file("test/data/chains/three_rrr_on_slides.urdf"),
                     test::source_file("test/data/chains/three_rrr_on_slides.yaml")};
   robot.config = replaced(robot.config, "{link: rod_2, xyz: [10, 0, 0]}", "rod_2");
-  EXPECT_EQ(sentence(robot),
-            "robot.yaml has closure 'platform - rod_2' at the start of link 'rod_2', where joint "
-            "'elbow_2_joint' is, and not at its far end, which has no link; write {link: rod_2, xyz: [10, 0, "
-            "0]} or where else that is in the place of 'rod_2' in closure 'platform - rod_2', which makes it "
-            "a robot in SE2.");
+  EXPECT_EQ(
+      sentence(robot),
+      "robot.urdf has joint 'elbow_2_joint' where closure 'platform - rod_2' holds link 'rod_2', at its "
+      "origin, so that the rod between them has length zero; give the far end of the rod: write {link: "
+      "rod_2, xyz: [X, Y, Z]} in the place of rod_2 in it, or the <pose> of a <gazebo><joint>.");
   robot.config = replaced(robot.config, "}, rod_2]", "}, {link: rod_2, xyz: [10, 0, 0]}]");
   EXPECT_EQ(test::refusal(robot.urdf, robot.config), Problems{});
 }

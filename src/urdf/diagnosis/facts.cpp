@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/diagnosis/degenerate_mechanisms.h"
+#include "urdf/diagnosis/facts.h"
 
 #include "model/linear_algebra.h"
+#include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/chain.h"
 #include "urdf/closing/freedom.h"
-#include "urdf/corrections/legs_of_tree.h"
-#include "urdf/diagnosis/misfit_axes.h"
+#include "urdf/corrections/edit.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -19,6 +19,28 @@ namespace {
 constexpr std::size_t drives_of_more = 3;
 
 constexpr const char* treated = "only a platform on a slide, which one leg moves (T1), is treated.";
+
+// Where it is open which joints are actuated: the closures that leave the mechanism one degree of freedom by
+// their axes, if with balls in their place it has as many as some robot.
+std::optional<std::string> misfit_types(const std::shared_ptr<const Tree>& tree,
+                                        const ResolvedConfig& resolved, const Eigen::VectorXd& values,
+                                        const SourceNames& files) {
+  if (resolved.actuation_origin.empty()) return std::nullopt;
+  std::string names;
+  std::vector<Closure> closures = resolved.closures;
+  for (Closure& closure : closures) {
+    if (closure.type != ClosureType::point) names += (names.empty() ? "'" : ", '") + closure.name + "'";
+    closure.type = ClosureType::point;
+  }
+  const ClosureSystem balls(tree, resolved.base, closures);
+  const auto freedom = static_cast<std::size_t>(loop_motions(balls, values).motions.cols());
+  if (names.empty() || freedom < 2 || !is_actuation_count(freedom)) return std::nullopt;
+  return file_of_closures(resolved, files) + " closes loops of " + files.urdf +
+         " by types that leave it one degree of freedom, as their axes are not along those of its joints; "
+         "write " +
+         type_text(resolved, ClosureType::point) + " for " + names + ", which leaves it " +
+         std::to_string(freedom) + ".";
+}
 
 class OneFreedom {
  public:
@@ -110,6 +132,22 @@ std::optional<std::string> linkage_of_one_degree_of_freedom(const std::shared_pt
                                                             const AssemblyResult& assembled,
                                                             const SourceNames& files) {
   return OneFreedom(tree, resolved, assembled, files).find();
+}
+
+std::optional<std::string> chain_that_holds_too_much(const ClosureSystem& system,
+                                                     const Eigen::VectorXd& values,
+                                                     const ActuatedJoints& actuated_joints,
+                                                     const SourceNames& files) {
+  const auto count = static_cast<Eigen::Index>(actuated_joints.variables.size());
+  const std::vector<bool> none(system.in_loop().size(), false);
+  for (const JoiningPart& part : joining_parts({system, values, none}, actuated_joints, files))
+    if (!part.is_actuated && part.freedom < count && !part.chains.empty())
+      return files.urdf + " joins the platform to the base by the chain of " +
+             joint_names_of(part.chains.front()).text() + ", without actuated joint, which lets it move in " +
+             std::to_string(part.freedom) + (part.freedom == 1 ? " way" : " ways") + " only, while " +
+             std::to_string(count) +
+             " joints are actuated; give the chain the joints that it lacks, or hang the platform on a leg.";
+  return std::nullopt;
 }
 
 namespace {

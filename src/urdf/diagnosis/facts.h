@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_URDF_DIAGNOSIS_DEGENERATE_MECHANISMS_H
-#define PARALLEL_ASPECTS_URDF_DIAGNOSIS_DEGENERATE_MECHANISMS_H
+#ifndef PARALLEL_ASPECTS_URDF_DIAGNOSIS_FACTS_H
+#define PARALLEL_ASPECTS_URDF_DIAGNOSIS_FACTS_H
 
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/resolved_config.h"
 #include "urdf/description/messages.h"
+
+#include <Eigen/Core>
 
 #include <memory>
 #include <optional>
@@ -12,13 +14,23 @@
 
 namespace parallel_aspects {
 
-/// Of a mechanism that is not recognised: that it is a linkage of one degree of freedom, as a four-bar, and
+/// What is true of a mechanism that is not recognised, by the ranks of its loops and legs in configurations
+/// that close them.
+///
+/// That it is a linkage of one degree of freedom, as a four-bar, and
 /// not one in T1. `assembled`: with its closures as stated. One actuated joint that closures hold still by
 /// their axes counts as free.
 std::optional<std::string> linkage_of_one_degree_of_freedom(const std::shared_ptr<const Tree>& tree,
                                                             const ResolvedConfig& resolved,
                                                             const AssemblyResult& assembled,
                                                             const SourceNames& files);
+
+/// That a chain between base and platform without an actuated joint lets the platform move, by its rank, in
+/// fewer ways than joints are actuated.
+std::optional<std::string> chain_that_holds_too_much(const ClosureSystem& system,
+                                                     const Eigen::VectorXd& values,
+                                                     const ActuatedJoints& actuated_joints,
+                                                     const SourceNames& files);
 
 /// That a robot has legs and a platform that moves, but that its actuated joints do not hold this in any of
 /// the random poses in which it was assembled.
@@ -27,4 +39,4 @@ std::optional<std::string> singular_everywhere(const std::shared_ptr<const Tree>
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_URDF_DIAGNOSIS_DEGENERATE_MECHANISMS_H
+#endif  // PARALLEL_ASPECTS_URDF_DIAGNOSIS_FACTS_H

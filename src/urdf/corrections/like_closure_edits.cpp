@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/linear_algebra.h"
+#include "urdf/corrections/edits.h"
+#include "urdf/description/name_words.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double other_axis = 0.01;    // sine of the angle to the axis that is stated, at least
+constexpr double axis_decimal = 1e-6;  // to which axes are printed
+
+using Group = std::vector<std::size_t>;  // of closures
+
+// All, and those of each kind.
+std::vector<Group> groups_of(const std::vector<Closure>& closures) {
+  Group all(closures.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::map<std::string, Group> kinds;
+  for (const std::size_t k : all) kinds[role_of(closures[k].name)].push_back(k);
+  std::vector<Group> groups{all};
+  for (auto& [role, group] : kinds)
+    if (kinds.size() > 1 && group.size() > 1) groups.push_back(std::move(group));
+  return groups;
+}
+
+std::string names_of(const std::vector<Closure>& closures, const Group& group) {
+  std::string names;
+  for (const std::size_t k : group) names += (names.empty() ? "'" : ", '") + closures[k].name + "'";
+  return names;
+}
+
+// Of the second frame of a closure in its link.
+struct ClosureAxis {
+  std::size_t closure = 0;
+  Vector3d direction;
+};
+
+// Its largest coordinate is positive.
+Vector3d upright(Vector3d axis) {
+  Eigen::Index largest = 0;
+  axis.cwiseAbs().maxCoeff(&largest);
+  if (axis[largest] < 0.0) axis = -axis;
+  return (axis / axis_decimal).array().round().matrix() * axis_decimal;
+}
+
+// That the second link turns about against the first, in its own frame.
+std::optional<Vector3d> axis_of(const ClosureSystem& system, const Assembly& assembly,
+                                const std::array<LinkFrame, 2>& frames) {
+  const Poses poses = link_poses(system.tree(), system.base(), assembly.values);
+  const auto turning = [&](std::size_t link) {
+    return link_twists(system, poses, link, assembly.motions).topRows<3>().eval();
+  };
+  const auto svd = singular_value_decomposition(turning(frames[1].link) - turning(frames[0].link));
+  if (svd.rank_above(velocity_tolerance) != 1) return std::nullopt;
+  return upright(poses[frames[1].link].linear().transpose() * svd.u.col(0));
+}
+
+// Of the revolute closures of a group: those that are not as stated; none where the links of one turn about
+// no single axis.
+std::vector<ClosureAxis> other_axes(const Subject& s, const Group& group) {
+  std::vector<Closure> closures = s.resolved.closures;
+  for (const std::size_t k : group)
+    if (closures[k].type == ClosureType::revolute) closures[k].type = ClosureType::point;
+  const ClosureSystem balls(s.shared_tree, s.resolved.base, with_type(closures, ClosureType::point));
+  const auto& joints = s.resolved.actuated_joints;
+  const auto assembly = assemble(balls, joints.variables, joints.platform_link).assembly;
+  if (!assembly) return {};
+  std::vector<ClosureAxis> others;
+  for (const std::size_t k : group) {
+    const Closure& closure = s.resolved.closures[k];
+    if (closure.type != ClosureType::revolute) continue;
+    const auto axis = axis_of(balls, *assembly, closure.frames);
+    if (!axis) return {};
+    if (axis->cross(closure.frames[1].in_link.linear().col(2)).norm() > other_axis)
+      others.push_back({k, *axis});
+  }
+  return others;
+}
+
+// Turned about that axis at zero, where SDF has the axis of a joint.
+std::array<LinkFrame, 2> turned(const Tree& tree, const ClosureAxis& axis, std::array<LinkFrame, 2> frames) {
+  const Poses poses = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
+  auto& [first, second] = frames;
+  second.in_link.linear() = shortest_rotation(Vector3d::UnitZ(), axis.direction).toRotationMatrix();
+  first.in_link.linear() =
+      poses[first.link].linear().transpose() * poses[second.link].linear() * second.in_link.linear();
+  return frames;
+}
+
+}  // namespace
+
+Edits axes_of_like_closures(const Subject& subject) {
+  if (subject.resolved.closure_dialect != "<gazebo><joint>") return {};
+  const std::vector<Closure>& closures = subject.resolved.closures;
+  Edits found;
+  for (const Group& group : groups_of(closures)) {
+    Edit edit{"closures", "", "write ", {}, true};
+    Group others;
+    for (const ClosureAxis& axis : other_axes(subject, group)) {
+      const auto frames = turned(subject.tree, axis, closures[axis.closure].frames);
+      for (const std::size_t end : {0, 1})
+        edit.changes.emplace_back(FrameChange{axis.closure, end, frames[end]});
+      edit.remedy += (others.empty() ? "<axis><xyz expressed_in=\"" : ", <axis><xyz expressed_in=\"") +
+                     subject.tree.links[frames[1].link] + "\">" + as_attribute(axis.direction) +
+                     "</xyz></axis> for '" + closures[axis.closure].name + "'";
+      others.push_back(axis.closure);
+    }
+    if (others.empty()) continue;
+    edit.fault = subject.files.urdf + " states axes for " + names_of(closures, others) +
+                 " about which their links do not turn";
+    found.push_back(std::move(edit));
+  }
+  return found;
+}
+
+Edits types_of_like_closures(const Subject& subject, ClosureType type) {
+  const std::vector<Closure>& closures = subject.resolved.closures;
+  const std::string& dialect = subject.resolved.closure_dialect;
+  Edits found;
+  for (const Group& group : groups_of(closures)) {
+    Group others;
+    Edit edit{
+        "closures",
+        subject.file() + " closes loops of " + subject.files.urdf + " by types that do not fit its joints",
+        "",
+        {},
+        false};
+    for (const std::size_t k : group) {
+      if (closures[k].type == ClosureType::automatic || closures[k].type == type) continue;
+      others.push_back(k);
+      edit.changes.emplace_back(TypeChange{k, type});
+    }
+    if (others.empty()) continue;
+    edit.remedy = "write " + type_text(subject.resolved, type) + " for " + names_of(closures, others) +
+                  " in " + (dialect.empty() ? subject.files.full_key("closures") : dialect);
+    found.push_back(std::move(edit));
+  }
+  return found;
+}
+
+}  // namespace parallel_aspects
