@@ -5,6 +5,7 @@
 #include "parallel_aspects/aspects/connectivity.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 
+#include <filesystem>
 #include <utility>
 
 namespace parallel_aspects::ask {
@@ -50,9 +51,11 @@ std::optional<MapSlice> Session::slice_of(const MapSource& source) const {
   return known_map_ ? known_map_->slice() : options_.slice;
 }
 
-FoundMap Session::load_or_compute(const MapOptions& options, const std::string& file, const Control& control,
+// A file that the map is saved to need not be there the first time.
+FoundMap Session::load_or_compute(const MapOptions& options, const MapSource& source, const Control& control,
                                   ProblemList& problems) {
-  if (!file.empty()) {
+  const std::string& file = source.load;
+  if (!file.empty() && (file != source.save || std::filesystem::exists(file))) {
     const MapResult loaded = load_map(robot_, options, file);
     if (loaded) return {loaded.map, true};
     if (control.note) control.note(loaded.message);
@@ -69,7 +72,7 @@ FoundMap Session::map(const MapSource& source, const std::vector<WorkingMode>& m
   if (is_there && known_map_) found.map = known_map_;
   if (is_there && !known_map_ && modes.empty()) found.map = computed_map_;
   if (!found.map) {
-    found = load_or_compute(options_for(source, modes), source.load, control, problems);
+    found = load_or_compute(options_for(source, modes), source, control, problems);
     if (is_there && modes.empty()) computed_map_ = found.map;  // for the next question
   }
   if (!found.map || source.save.empty()) return found;

@@ -158,7 +158,7 @@ class Session {
 
  private:
   MapOptions options_for(const MapSource& source, const std::vector<WorkingMode>& modes) const;
-  FoundMap load_or_compute(const MapOptions& options, const std::string& file, const Control& control,
+  FoundMap load_or_compute(const MapOptions& options, const MapSource& source, const Control& control,
                            ProblemList& problems);
 
   std::shared_ptr<const Manipulator> robot_;

@@ -15,6 +15,7 @@
 #include "tools/subcommands.h"
 #include "tools/subcommands/unlimited_count.h"
 
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -177,12 +178,14 @@ std::shared_ptr<const AspectMap> compute(std::shared_ptr<const Manipulator> mani
       .map;
 }
 
-/// The map in the file that is to be loaded; null, with the reason as a message, where it is of no use.
+/// The map in the file that is to be loaded; null, with the reason as a message, where it is of no use. A
+/// file that the map is saved to need not be there the first time.
 std::shared_ptr<const AspectMap> load(const std::shared_ptr<const Manipulator>& manipulator,
                                       const MapOptions& options, const MapArguments& arguments,
                                       const Surroundings& surroundings) {
-  if (arguments.load_file.empty()) return nullptr;
-  const MapResult result = load_map(manipulator, options, arguments.load_file);
+  const std::string& file = arguments.load_file;
+  if (file.empty() || (file == arguments.save_file && !std::filesystem::exists(file))) return nullptr;
+  const MapResult result = load_map(manipulator, options, file);
   if (result.status != MapStatus::complete) surroundings.messages << result.message << std::endl;
   return result.map;
 }

@@ -62,6 +62,25 @@ TEST_F(MapCommandFiles, MapsAreSavedAndLoaded) {
   std::filesystem::remove_all(folder);
 }
 
+// A script may name one file for both from its first run on.
+TEST_F(MapCommandFiles, AFileForBothMayBeMissingTheFirstTime) {
+  for (const std::vector<const char*>& question :
+       {std::vector<const char*>{"map", "five_bar", "--resolution", "0.5"},
+        std::vector<const char*>{"plan", "five_bar", "--resolution", "0.5", "--from", "4.5 8", "--to",
+                                 "4 6"}}) {
+    const std::string file = testing::TempDir() + "map_command_for_both.map";
+    std::filesystem::remove(file);
+    std::vector<const char*> all = question;
+    all.insert(all.end(), {"--load", file.c_str(), "--save", file.c_str(), "--json"});
+    for (const bool loaded : {false, true}) {
+      const Outcome outcome = run(all);
+      EXPECT_EQ(outcome.messages, "");
+      EXPECT_EQ(json::parse(outcome.output).at("loaded"), loaded);
+    }
+    std::filesystem::remove(file);
+  }
+}
+
 TEST_F(MapCommandFiles, FilesOfMapsThatCannotBeAreRefused) {
   Outcome outcome = run({"map", "five_bar", "--resolution", "0.5", "--save", "/no/such/folder/map"});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
