@@ -33,7 +33,7 @@ std::string apart_text(const AspectGraph& graph) {
              : "; at least " + std::to_string(graph.proved_set_count) + " are proved to be different";
 }
 
-std::string reason_of(const AspectMap& map, const AspectGraph& graph) {
+std::string graph_reason(const AspectMap& map, const AspectGraph& graph) {
   if (!map.aspects().empty())
     return number_of(map.aspects().size(), "aspect") + " in " + number_of(graph.sets.size(), "set") + ", " +
            joints_text(*map.manipulator(), graph, "aspect") + apart_text(graph);
@@ -44,7 +44,7 @@ std::string reason_of(const AspectMap& map, const AspectGraph& graph) {
              : "proved: " + where + " holds no part of an aspect";
 }
 
-std::string reason_of(const PoseRoadmap& roadmap, const RoadmapGraph& found) {
+std::string graph_reason(const PoseRoadmap& roadmap, const RoadmapGraph& found) {
   const Manipulator& robot = *roadmap.certifier().manipulator();
   return number_of(found.parts.size(), "part") + " of at least " +
          number_of(roadmap.proved_count(), "aspect") + ", in " + number_of(found.graph.sets.size(), "set") +
@@ -73,7 +73,7 @@ void add_graph(const AspectMap& map, GraphAnswer& answer) {
   for (const Aspect& each : map.aspects())
     answer.aspects.push_back({each.id, each.mode, each.determinant_sign, each.measure, std::nullopt,
                               number_of_set(*answer.graph, each.id)});
-  answer.reason = reason_of(map, *answer.graph);
+  answer.reason = graph_reason(map, *answer.graph);
 }
 
 void add_graph(const PoseRoadmap& roadmap, const RoadmapGraph& found, GraphAnswer& answer) {
@@ -81,7 +81,7 @@ void add_graph(const PoseRoadmap& roadmap, const RoadmapGraph& found, GraphAnswe
   for (const RoadmapPart& each : found.parts)
     answer.aspects.push_back({each.id, each.mode, each.determinant_sign, std::nullopt,
                               static_cast<int>(each.samples), number_of_set(found.graph, each.id)});
-  answer.reason = reason_of(roadmap, found);
+  answer.reason = graph_reason(roadmap, found);
 }
 
 }  // namespace
