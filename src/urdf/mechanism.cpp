@@ -5,6 +5,7 @@
 #include "parallel_aspects/model/problems.h"
 #include "urdf/description/text_file.h"
 #include "urdf/mechanism_contents.h"
+#include "urdf/reading/description_file.h"
 
 #include <cmath>
 #include <utility>
@@ -119,7 +120,7 @@ bool Mechanism::Contents::complete(const Pose& pose, const JointVector& q,
 SharedMechanism load_mechanism_files(const std::string& urdf_file, const std::string& config_file,
                                      const std::string& frame_prefix) {
   Problems problems;
-  const std::optional<std::string> urdf = read_text_file(urdf_file, problems);
+  const std::optional<std::string> urdf = read_description_file(urdf_file, problems);
   const std::optional<std::string> config = read_text_file(config_file, problems);
   if (!problems.empty()) throw InvalidDescription(problems);
   return load_mechanism(*urdf, urdf_file, *config, config_file, frame_prefix);

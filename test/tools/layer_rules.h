@@ -76,6 +76,8 @@ inline const Strings rooms{"model",
                            "tools/paths",
                            "tools/sweep",
                            "tools/subcommands",
+                           "mjcf",
+                           "sdf",
                            "mpi",
                            "ompl",
                            "python",
@@ -102,7 +104,7 @@ inline bool starts_with(const std::string& text, const std::string& start) {
 }
 
 // Layers that a build may leave out, so that none but themselves may include them.
-inline const Strings optional_layers{"ompl", "python", "rviz"};
+inline const Strings optional_layers{"mjcf", "ompl", "python", "rviz", "sdf"};
 
 inline std::string layer_of(const std::string& room) { return room.substr(0, room.find('/')); }
 
@@ -111,9 +113,11 @@ inline const Strings& libraries(const std::string& layer) {
   static const Strings eigen{"Eigen/"};
   static const Strings aspects{"Eigen/", "tbb/", "zlib.h", "fcntl.h", "sys/stat.h", "unistd.h"};
   static const Strings distance{"Eigen/", "tbb/"};
-  static const Strings urdf{"Eigen/",      "boost/locale/", "urdf_parser/",
-                            "urdf_model/", "urdf_world/",   "urdf_exception/",
-                            "yaml-cpp/",   "tinyxml2.h",    "console_bridge/"};
+  static const Strings urdf{"Eigen/",          "boost/locale/",   "urdf_parser/", "urdf_model/",
+                            "urdf_world/",     "urdf_exception/", "yaml-cpp/",    "tinyxml2.h",
+                            "console_bridge/", "dlfcn.h"};
+  static const Strings mjcf{"Eigen/", "mujoco/", "tinyxml2.h"};
+  static const Strings sdf{"Eigen/", "sdf/"};
   static const Strings mpi{"mpi.h", "nlohmann/", "sys/resource.h", "unistd.h"};
   static const Strings tools{"Eigen/",     "boost/",   "cairo.h",   "fcntl.h", "nlohmann/",
                              "sys/file.h", "unistd.h", "yaml-cpp/", "zlib.h"};
@@ -123,6 +127,8 @@ inline const Strings& libraries(const std::string& layer) {
          : layer == "distance" ? distance
          : layer == "urdf"     ? urdf
          : layer == "tools"    ? tools
+         : layer == "mjcf"     ? mjcf
+         : layer == "sdf"      ? sdf
          : layer == "mpi"      ? mpi
          : layer == "ompl"     ? ompl
          : layer == "python"   ? python

@@ -50,6 +50,8 @@ std::string next_command(const std::string& urdf_file, const std::string& config
 std::string next_text(const std::string& urdf_file, const SetupFiles& written) {
   const std::string command = "  " + next_command(urdf_file, written.config) + "\n";
   if (written.config.empty()) return "Nothing is written. Next:\n" + command;
+  if (written.launch.empty())
+    return written.config + " is written; comments in it say what is a guess. Next:\n" + command;
   const std::string launch = "  roslaunch " + shell_word(written.launch);
   return written.config + " and " + written.launch +
          " are written; comments in the YAML say what is a guess. Next:\n" + command +

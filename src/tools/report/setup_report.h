@@ -12,7 +12,7 @@ namespace parallel_aspects::tools {
 /// A question, its candidates numbered, and how to answer it with an option of `aspects setup URDF`.
 Report report_question(const SetupResult& result, const std::string& urdf_file);
 
-/// What was written; empty where nothing was.
+/// What was written; empty where nothing was, as no launch file for a robot that has no URDF.
 struct SetupFiles {
   std::string config, launch;
 };

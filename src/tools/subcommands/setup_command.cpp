@@ -3,7 +3,7 @@
 #include "tools/report/setup_report.h"
 #include "tools/shipped_robots.h"
 #include "tools/subcommands.h"
-#include "urdf/description/text_file.h"
+#include "urdf/reading/description_file.h"
 #include "urdf/setup/setup.h"
 
 #include <array>
@@ -90,7 +90,7 @@ void ask(const SetupResult& result, const std::string& urdf_file, const Surround
 SetupResult found(const std::string& urdf_file, const std::string& config_file, SetupAnswers answers,
                   const Surroundings& surroundings) {
   Problems problems;
-  const auto text = read_text_file(urdf_file, problems);
+  const auto text = read_description_file(urdf_file, problems);
   if (!text) throw InvalidDescription(problems);
   for (;;) {
     SetupControl control{work_to_search};
@@ -113,6 +113,7 @@ bool exists(const std::string& file) {
 std::string existing_of(const SetupFiles& output, const std::string& urdf) {
   std::string existing;
   for (const std::string& file : {output.config, output.launch}) {
+    if (file.empty()) continue;
     std::error_code none;
     if (fs::equivalent(file, urdf, none))
       throw InvalidDescription(
@@ -193,12 +194,13 @@ Report run(const SetupArguments& arguments, const Surroundings& surroundings) {
   const bool writes = !surroundings.json || !arguments.output.empty();
   const std::string config =
       arguments.output.empty() ? fs::path(arguments.urdf).stem().string() + ".yaml" : arguments.output;
-  const SetupFiles output{config, fs::path(config).replace_extension(".launch").string()};
+  SetupFiles output{config, fs::path(config).replace_extension(".launch").string()};
+  if (!is_urdf_file(arguments.urdf)) output.launch.clear();  // the node and rviz take URDF alone
   const SetupResult result = found(arguments.urdf, config, answers, surroundings);
   if (!writes) return report_setup(result, arguments.urdf, {});
   check_output(arguments, output, surroundings);
   write(result.config, output.config);
-  write(launch_text(arguments.urdf, output), output.launch);
+  if (!output.launch.empty()) write(launch_text(arguments.urdf, output), output.launch);
   return report_setup(result, arguments.urdf, output);
 }
 
@@ -217,7 +219,7 @@ Subcommand setup_subcommand() {
       "setup",
       "Find base, loop closures, platform and actuated joints of a URDF, and write the YAML and a launch "
       "file",
-      {{"URDF", "", "URDF of the robot", &arguments->urdf, true},
+      {{"URDF", "", "URDF of the robot, or its SDF or MJCF", &arguments->urdf, true},
        {"-o", "FILE",
         "YAML to write, with a .launch of the same name beside it; by default NAME.yaml in the present "
         "folder "

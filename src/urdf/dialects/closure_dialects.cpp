@@ -42,6 +42,8 @@ const std::vector<ClosureDialect>& closure_dialects() {
       {"DetachableJoint", dialects::detachable_joint},
       {"<loop_joint>", dialects::loop_joint},
       {"<drake:ball_constraint>", dialects::drake_ball_constraint},
+      {"<equality>", dialects::equality},
+      {"the SDF", dialects::sdf_joint},
   };
   return dialects;
 }
@@ -142,6 +144,11 @@ std::vector<std::string> joints_in(const LoopSource& source, const char* kind, c
 }  // namespace
 
 DescribedActuation described_actuation(const LoopSource& source) {
+  std::vector<std::string> driven;
+  for (const auto* driver = source.robot.FirstChildElement("actuated_joint"); driver != nullptr;
+       driver = driver->NextSiblingElement("actuated_joint"))
+    add_once(attribute(driver, "name"), driven);
+  if (!driven.empty()) return {"motor in <actuator>", driven};
   const auto commanded = joints_in(source, "ros2_control", [](const XMLElement& joint) {
     return joint.FirstChildElement("command_interface") != nullptr && !mimics(joint);
   });

@@ -54,7 +54,8 @@ struct DescribedActuation {
   std::vector<std::string> joints;
 };
 
-/// The joints with a command interface in `<ros2_control>`; where there are none, those with a
+/// The joints that the `<actuator>` of an MJCF drives, or with a command interface in `<ros2_control>`; where
+/// there are none, those with a
 /// `<transmission>` that does more than report their state.
 DescribedActuation described_actuation(const LoopSource& source);
 
@@ -104,6 +105,12 @@ DescribedLoops loop_joint(const LoopSource& source, Problems& problems);
 
 /// `<drake:ball_constraint>` with two bodies and a point in each.
 DescribedLoops drake_ball_constraint(const LoopSource& source, Problems& problems);
+
+/// `<connect>` and `<weld>` in the `<equality>` of an MJCF, in the elements of `urdf_text`.
+DescribedLoops equality(const LoopSource& source, Problems& problems);
+
+/// Joints of SDF whose child has another parent, in the elements of `urdf_text`.
+DescribedLoops sdf_joint(const LoopSource& source, Problems& problems);
 
 }  // namespace dialects
 }  // namespace parallel_aspects

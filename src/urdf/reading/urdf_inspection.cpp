@@ -4,6 +4,7 @@
 #include "urdf/config/mechanism_config.h"
 #include "urdf/description/nearest_name.h"
 #include "urdf/description/xml_values.h"
+#include "urdf/reading/description_file.h"
 #include "urdf/reading/tree_reader.h"
 
 #include <tinyxml2.h>
@@ -93,6 +94,9 @@ class Inspector {
     inspect_joints(robot);
     inspect_topology();
     for (const Note& message : messages(remarks_)) notes_.push_back(file_ + " " + message);
+    for (const auto* note = robot->FirstChildElement("reader_note"); note != nullptr;  // of `urdf_text`
+         note = note->NextSiblingElement("reader_note"))
+      notes_.push_back(file_ + " " + attribute(note, "text"));
     if (!unused_shapes_.empty())
       notes_.push_back(file_ + " has shapes that cannot be, " + unused_shapes_ +
                        "; they are not used, as kinematics needs none.");
@@ -122,8 +126,8 @@ class Inspector {
         expression = a->Value();
     if (tag || expression != nullptr) {
       problem("still contains xacro ('" + std::string(tag ? element->Name() : expression) + "' in line " +
-              std::to_string(element->GetLineNum()) +
-              "); expand it first with 'xacro FILE.xacro > FILE.urdf'.");
+              std::to_string(element->GetLineNum()) + "); expand it first with " + xacro_command(file_) +
+              ".");
       return true;
     }
     for (const auto* child = element->FirstChildElement(); child != nullptr;

@@ -134,7 +134,15 @@ INSTANTIATE_TEST_SUITE_P(
                 R"(<drake:ball_constraint><drake:ball_constraint_body_A name="rod_1"/>
                    <drake:ball_constraint_body_B name="rod_2"/><drake:ball_constraint_p_AP value="2 2 0"/>
                    <drake:ball_constraint_p_BQ value="-2 2 0"/></drake:ball_constraint>)",
-                listed_joints, "The closures are those that <drake:ball_constraint> describes, 1 in all."}),
+                listed_joints, "The closures are those that <drake:ball_constraint> describes, 1 in all."},
+        Dialect{"OfAnMjcf",
+                R"(<loop_closure name="loop" in="&lt;equality&gt;" type="ball">
+                   <end link="rod_1" xyz="2 2 0"/><end link="rod_2" xyz="-2 2 0"/></loop_closure>)",
+                listed_joints, "The closures are those that <equality> describes, 1 in all."},
+        Dialect{"OfAnSdf",
+                R"(<loop_closure name="loop" in="the SDF" type="revolute">
+                   <end link="rod_1" xyz="2 2 0"/><end link="rod_2" xyz="-2 2 0"/></loop_closure>)",
+                listed_joints, "The closures are those that the SDF describes, 1 in all."}),
     [](const ::testing::TestParamInfo<Dialect>& tested) { return tested.param.name; });
 
 TEST(ClosureDialects, AreOverruledByTheList) {
@@ -180,6 +188,11 @@ TEST_P(BadClosureDialect, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(
     All, BadClosureDialect,
     ::testing::Values(
+        BadDialect{R"(<loop_closure in="the SDF" type="ball"><end link="rod_1" xyz="0 0"/><end link="rod_2"/>
+                   </loop_closure>)",
+                   listed_joints,
+                   "robot.urdf has a <loop_closure> '' without a type or two ends; use <loop_joint> in its "
+                   "place."},
         BadDialect{
             R"(<gazebo><joint name="loop" type="ball"><parent>rod_1</parent><child>rod_3</child></joint></gazebo>)",
             listed_joints,

@@ -1,0 +1,15 @@
+# parallel_aspects_format_reader(NAME SOURCE...): a library that reads a format of robots, which the core loads when such a
+# file is given. It lies where the core looks for it.
+function(parallel_aspects_format_reader name)
+  add_library(${name} MODULE ${ARGN})
+  target_link_libraries(${name} PRIVATE parallel_aspects_private_headers Eigen3::Eigen)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/include)
+  parallel_aspects_warnings(${name})
+  set(neighbor aspects)
+  if(BUILD_SHARED_LIBS)
+    set(neighbor parallel_aspects_core)
+  endif()
+  set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY $<TARGET_FILE_DIR:${neighbor}>)
+  add_dependencies(aspects ${name})
+  install(TARGETS ${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endfunction()

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/aspect_map.h"
+
+#include <gtest/gtest.h>
+
+#include "support/same_legs.h"
+
+namespace parallel_aspects {
+namespace {
+
+using test::loaded_from;
+
+Problems refusal(const std::string& old, const std::string& by) {
+  return test::refusal_of_file("five_bar.sdf",
+                               test::replaced(test::source_file("test/data/sdf/five_bar.sdf"), old, by));
+}
+
+TEST(SdfReader, ReadsTheFiveBar) {
+  const auto mechanism = loaded_from("sdf", "five_bar.sdf", "five_bar.yaml");
+  test::expect_same_legs(*mechanism, *models::five_bar());
+  EXPECT_EQ(mechanism->notes(),
+            std::vector<std::string>{"The closures are those that the SDF describes, 1 in all."});
+  EXPECT_LT(mechanism->home().q.norm(), 1e-9) << "joints are zero where the robot is drawn";
+  const auto map = compute_aspect_map(mechanism->manipulator()).map;
+  EXPECT_EQ(map->aspects().size(), 10U);
+  EXPECT_EQ(map->proved_count(), 10U);
+  EXPECT_EQ(map->count_at_most(), 10U);
+}
+
+// In a world, turned and moved there, with a ground beside it; balls join the platform as a parent.
+TEST(SdfReader, ReadsAStewartPlatform) {
+  const auto mechanism = loaded_from("sdf", "stewart.sdf", "stewart.yaml");
+  const Manipulator &robot = *mechanism->manipulator(), &shipped = *models::stewart()->manipulator();
+  ASSERT_EQ(robot.task_space(), TaskSpace::SE3);
+  ASSERT_EQ(robot.leg_count(), 6U);
+  EXPECT_EQ(test::open_loops(*mechanism), 0);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const Leg &leg = robot.legs()[k], &same = shipped.legs()[k];
+    EXPECT_EQ(leg.actuated_joint, "strut_" + std::to_string(k + 1));
+    EXPECT_LT((leg.base_point() - same.base_point()).norm(), 1e-9) << k;
+    EXPECT_LT((leg.anchor - same.anchor).norm(), 1e-9) << k;
+    EXPECT_NEAR(leg.limits.upper - leg.limits.lower, 0.8, 1e-12);
+  }
+}
+
+TEST(SdfReader, RefusalsNameTheElement) {
+  EXPECT_EQ(refusal("<joint name=\"loop\" type=\"revolute\">", "<joint name=\"loop\" type=\"screw\">"),
+            Problems{"five_bar.sdf gives joint 'loop' the type 'screw'; use revolute, continuous, prismatic, "
+                     "universal, revolute2, ball or fixed."});
+  for (const auto& [old, by, name] :
+       {std::array<std::string, 3>{"<child>rod_2</child><pose>", "<child>rod_9</child><pose>", "rod_9"},
+        {"relative_to=\"crank_1\"", "relative_to=\"crank_9\"", "crank_9"},
+        {"attached_to=\"rod_1\"", "attached_to=\"rod_9\"", "rod_9"}}) {
+    const Problems problems = refusal(old, by);
+    ASSERT_FALSE(problems.empty()) << by;
+    EXPECT_LE(problems.size(), 5U);
+    EXPECT_EQ(problems.front().find("five_bar.sdf is refused by sdformat: "), 0U) << problems.front();
+    EXPECT_NE(problems.front().find(name), std::string::npos) << problems.front();
+  }
+  EXPECT_NE(refusal("<child>rod_2</child><pose>", "<child>rod_1</child><pose>"), Problems());
+  EXPECT_EQ(refusal("</model>", ""), Problems{"five_bar.sdf is not well-formed XML near line 5 "
+                                              "(XML_ERROR_MISMATCHED_ELEMENT); correct it there."});
+}
+
+TEST(SdfReader, AsksForOneRobot) {
+  const std::string model =
+      "<model name='a'><link name='l'/><link name='m'/><joint name='j' type='ball'>"
+      "<parent>l</parent><child>m</child></joint></model>";
+  EXPECT_EQ(test::refusal_of_file("robot.sdf", "<sdf version='1.9'><world name='w'/></sdf>"),
+            Problems{"robot.sdf has no model with joints; give the SDF of a robot."});
+  EXPECT_EQ(test::refusal_of_file("robot.sdf", "<sdf version='1.9'><world name='w'>" + model +
+                                                   test::replaced(model, "'a'", "'b'") + "</world></sdf>"),
+            Problems{"robot.sdf has several models with joints, 'a', 'b'; give a file with one of them."});
+}
+
+}  // namespace
+}  // namespace parallel_aspects
