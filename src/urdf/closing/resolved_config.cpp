@@ -126,6 +126,7 @@ class NameResolver {
     notes_.push_back("The closures are those that " + std::string(found.dialect) + " describes, " +
                      std::to_string(result_.closures.size()) + " in all.");
     described_joints_ = found.loops.actuated_joints;
+    described_joints_key_ = found.loops.actuated_joints_key;
     return true;
   }
 
@@ -139,10 +140,12 @@ class NameResolver {
       return;
     }
     const std::string element = "a " + std::string(described.element);
-    result_.actuation_origin = from_loops ? "name_mot selects" : "have " + element + " in " + files_.urdf;
+    result_.actuation_origin =
+        from_loops ? described_joints_key_ + " selects" : "have " + element + " in " + files_.urdf;
     actuated_joints_named_in_ =
         from_loops ? files_.config + " names joint '" : files_.urdf + " actuates joint '";
-    actuated_joints_named_by_ = from_loops ? "' in name_mot, but " : "' in " + element + ", but ";
+    actuated_joints_named_by_ =
+        from_loops ? "' in " + described_joints_key_ + ", but " : "' in " + element + ", but ";
     std::vector<std::string> once;
     for (const std::string& joint : actuated_joints)
       if (!contains(once, joint)) once.push_back(joint);
@@ -175,7 +178,8 @@ class NameResolver {
   const SourceNames& files_;
   Problems& problems_;
   Notes& notes_;
-  std::vector<std::string> described_joints_;                                // by the dialect of the closures
+  std::vector<std::string> described_joints_;  // by the dialect of the closures
+  std::string described_joints_key_;
   std::string actuated_joints_named_in_ = files_.config + " names joint '";  // for messages, around the name
   std::string actuated_joints_named_by_ = "' in mechanism.actuated_joints, but ";
   std::vector<std::string> frame_names_;  // that the YAML gives
@@ -186,7 +190,8 @@ class NameResolver {
 }  // namespace
 
 const std::string& file_of_closures(const ResolvedConfig& resolved, const SourceNames& files) {
-  const bool in_config = resolved.closure_dialect.empty() || resolved.closure_dialect == "closed_loop";
+  const std::string& dialect = resolved.closure_dialect;
+  const bool in_config = dialect.empty() || dialect == "closed_loop" || dialect == "loop_closures.yaml";
   return in_config ? files.config : files.urdf;
 }
 

@@ -139,9 +139,10 @@ class MechanismReader {
     return yaml_.text(node, where, value);
   }
 
-  // What a file of the gepetto toolbox has besides is not known here.
+  // What files of other programs have besides is not known here.
   void check_top(const YAML::Node& root) const {
-    if (root.IsMap() && root["mechanism"].IsDefined() && !root["closed_loop"].IsDefined())
+    if (root.IsMap() && root["mechanism"].IsDefined() && !root["closed_loop"].IsDefined() &&
+        !is_loop_closures_file(root))
       yaml_.check_keys(root, top_keys(), "the top of the file",
                        {{"mechanism", mechanism_keys()}, {"constraints", constraint_keys()}});
   }
@@ -290,6 +291,16 @@ std::string problem_with_yaml(const std::string& text, const YAML::Exception& er
 }
 
 }  // namespace
+
+bool is_loop_closures_file(const YAML::Node& root) {
+  if (!root.IsMap()) return false;
+  const YAML::Node closures = root["closures"];
+  if (!closures.IsDefined() || !closures.IsSequence()) return false;
+  return root["independent"].IsDefined() || root["dependent"].IsDefined() ||
+         std::any_of(closures.begin(), closures.end(), [](const YAML::Node& closure) {
+           return closure.IsMap() && closure["link_a"].IsDefined();
+         });
+}
 
 MechanismConfig read_mechanism_config(const std::string& text, const std::string& file, Problems& problems) {
   try {

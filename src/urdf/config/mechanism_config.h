@@ -58,6 +58,9 @@ struct MechanismConfig {
   std::vector<double> start;         ///< start.pose, as far as it is a list of numbers; the node checks it
 };
 
+/// Whether the top of the file has the keys of a loop_closures.yaml of sw2robot.
+bool is_loop_closures_file(const YAML::Node& root);
+
 /// Reads it from the text of the whole file; other top-level keys are for the node. What is wrong is added to
 /// `problems`, each a message that names `file` and the key.
 MechanismConfig read_mechanism_config(const std::string& text, const std::string& file, Problems& problems);

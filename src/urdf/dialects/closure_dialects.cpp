@@ -38,6 +38,7 @@ const std::vector<ClosureDialect>& closure_dialects() {
       {"<gazebo><joint>", dialects::gazebo_joint},
       {"closing frames", dialects::closing_frames},
       {"closed_loop", dialects::gepetto_file},
+      {"loop_closures.yaml", dialects::loop_closures_file},
       {"<constraint>", dialects::constraint_element},
       {"DetachableJoint", dialects::detachable_joint},
       {"<loop_joint>", dialects::loop_joint},

@@ -29,6 +29,7 @@ struct LoopSource {
 struct DescribedLoops {
   std::vector<Closure> closures;
   std::vector<std::string> actuated_joints;
+  std::string_view actuated_joints_key = "name_mot";  ///< of the YAML, where these are listed
 };
 
 /// One way in which people write closures: how to read it. What is wrong is added to `problems`.
@@ -111,6 +112,11 @@ DescribedLoops equality(const LoopSource& source, Problems& problems);
 
 /// Joints of SDF whose child has another parent, in the elements of `urdf_text`.
 DescribedLoops sdf_joint(const LoopSource& source, Problems& problems);
+
+/// loop_closures.yaml of sw2robot, its keys at the top level of the YAML: `closures` with `link_a`, `link_b`,
+/// and the `point` and `axis` of a hinge in the frame of the root link while all joints are zero;
+/// `independent` joints are actuated, or all but the `dependent` ones.
+DescribedLoops loop_closures_file(const LoopSource& source, Problems& problems);
 
 }  // namespace dialects
 }  // namespace parallel_aspects

@@ -142,7 +142,16 @@ INSTANTIATE_TEST_SUITE_P(
         Dialect{"OfAnSdf",
                 R"(<loop_closure name="loop" in="the SDF" type="revolute">
                    <end link="rod_1" xyz="2 2 0"/><end link="rod_2" xyz="-2 2 0"/></loop_closure>)",
-                listed_joints, "The closures are those that the SDF describes, 1 in all."}),
+                listed_joints, "The closures are those that the SDF describes, 1 in all."},
+        Dialect{"LoopClosuresFile", "",
+                "closures: [{link_a: rod_1, link_b: rod_2, point: [2, 5, 0], axis: [0, 0, 1]}]\n"
+                "dependent: [elbow_1, elbow_2]\nindependent: [mot_1, mot_2]\n"
+                "mechanism: {operational_point: tip_1}\n",
+                "The closures are those that loop_closures.yaml describes, 1 in all."},
+        Dialect{"LoopClosuresFileWithDependentJointsAlone", "",
+                "closures: [{link_a: rod_2, link_b: tip_1, point: [2.0, 5.0, 0.0]}]\n"
+                "dependent: [elbow_1, elbow_2]\nmechanism: {operational_point: tip_1}\n",
+                "The closures are those that loop_closures.yaml describes, 1 in all."}),
     [](const ::testing::TestParamInfo<Dialect>& tested) { return tested.param.name; });
 
 TEST(ClosureDialects, AreOverruledByTheList) {
@@ -188,6 +197,18 @@ TEST_P(BadClosureDialect, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(
     All, BadClosureDialect,
     ::testing::Values(
+        BadDialect{
+            "", "closures: [{link_a: rod_1, link_b: rod_9, point: [2, 5, 0]}]\n" + listed_joints,
+            "robot.yaml in closures[0] names link 'rod_9', but robot.urdf has no such link; did you mean "
+            "'rod_1'?"},
+        BadDialect{
+            "", "closures: [{link_a: rod_1, link_b: rod_2, point: [2, 5]}]\n" + listed_joints,
+            "robot.yaml in closures[0] has a point or an axis that is not three finite numbers, or zero; "
+            "write three each, in the frame of the root link while all joints are zero."},
+        BadDialect{
+            "", "closures: [rod_1]\ndependent: []\n" + listed_joints,
+            "robot.yaml in closures[0] is no map; write {link_a: LINK, link_b: LINK, point: [x, y, z], "
+            "axis: [x, y, z]}."},
         BadDialect{R"(<loop_closure in="the SDF" type="ball"><end link="rod_1" xyz="0 0"/><end link="rod_2"/>
                    </loop_closure>)",
                    listed_joints,
