@@ -322,12 +322,12 @@ SingularityReport report_message(const Manipulator& manipulator, const ask::Loca
   return message;
 }
 
-Jacobian jacobian_message(const Manipulator& manipulator, const SolvedPose& solved, const AspectMap* map,
+Jacobian jacobian_message(const Manipulator& manipulator, const ask::LocatedConfiguration& located,
                           const ros::Time& stamp) {
-  const ask::JacobianAt at = ask::jacobian_at(manipulator, solved.pose, solved.q);
+  const ask::JacobianAt at = ask::jacobian_at(manipulator, located.pose, located.q);
   const ask::JacobianAnswer units = ask::jacobian_units(manipulator);
   Jacobian message;
-  message.configuration = solved_message(manipulator, solved, map, stamp);
+  message.configuration = solved_message(manipulator, located, stamp);
   message.task_frame = pose_message(manipulator.task_frame());
   message.status = static_cast<std::uint8_t>(at.status);
   message.reason = at.reason;

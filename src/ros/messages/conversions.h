@@ -92,7 +92,7 @@ MetricDistance distance_message(const Manipulator& manipulator, const SolvedPose
 SingularityReport report_message(const Manipulator& manipulator, const ask::LocatedConfiguration& located,
                                  const BoundaryDistances& distances, const ros::Time& stamp);
 
-Jacobian jacobian_message(const Manipulator& manipulator, const SolvedPose& solved, const AspectMap* map,
+Jacobian jacobian_message(const Manipulator& manipulator, const ask::LocatedConfiguration& located,
                           const ros::Time& stamp);
 
 /// State of a robot that is being tracked.

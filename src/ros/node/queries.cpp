@@ -141,12 +141,11 @@ GetSingularityDistance::Response Queries::answer(const GetSingularityDistance::R
 }
 
 GetJacobian::Response Queries::answer(const GetJacobian::Request& request) const {
-  const auto map = worker_.map();
-  const ConfigurationAnswer found = resolve(request.configuration);
+  const Meant meant = locate(request.configuration, worker_.known());
   GetJacobian::Response response;
-  response.status = found.status;
-  for (const SolvedPose& solved : found.configurations)
-    response.jacobians.push_back(jacobian_message(*manipulator_, solved, map.get(), found.stamp));
+  response.status = meant.status;
+  for (const ask::LocatedConfiguration& each : meant.configurations)
+    response.jacobians.push_back(jacobian_message(*manipulator_, each, meant.stamp));
   return response;
 }
 

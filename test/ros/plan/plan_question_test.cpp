@@ -138,7 +138,8 @@ TEST(JacobianMessage, IsRowByRow) {
   const auto robot = test::shipped("three_rpr")->manipulator();
   const AssembledConfiguration home = test::shipped("three_rpr")->home();
   const ask::JacobianAt at = ask::jacobian_at(*robot, home.pose, home.q);
-  const Jacobian message = jacobian_message(*robot, {home.pose, home.q}, nullptr, ros::Time());
+  const Jacobian message =
+      jacobian_message(*robot, ask::configuration_of(*robot, home.pose, home.q), ros::Time());
   EXPECT_EQ(message.status, Jacobian::REGULAR);
   EXPECT_EQ(message.twist, (std::vector<std::string>{"wz", "vx", "vy"}));
   ASSERT_EQ(message.jacobian.size(), 9U);
