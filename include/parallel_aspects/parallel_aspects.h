@@ -22,6 +22,7 @@ namespace parallel_aspects {}
 #include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/question.h"
+#include "parallel_aspects/ask/robot_description.h"
 #include "parallel_aspects/ask/session.h"
 #include "parallel_aspects/ask/uniqueness_question.h"
 #include "parallel_aspects/ask/workspace.h"

@@ -7,6 +7,7 @@
 #include "parallel_aspects/ask/jacobian.h"
 #include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/ask/plan.h"
+#include "parallel_aspects/ask/robot_description.h"
 #include "parallel_aspects/ask/uniqueness_question.h"
 #include "parallel_aspects/ask/workspace.h"
 #include "parallel_aspects/distance/boundary_distances.h"
@@ -117,6 +118,7 @@ py::dict choose(const CoreRobot& robot, const py::object& times, const py::objec
 template <class Question>
 py::dict ask_robot(const CoreRobot& robot, const py::dict& keywords, const py::object& progress) {
   SharedSession questions(robot.manipulator);
+  questions.session.know(robot.mechanism);
   return ask_session(questions, read_question<Question>(*robot.manipulator, keywords), progress);
 }
 
@@ -141,6 +143,7 @@ void bind_motion(py::module& module, RobotClass& robot, MapClass& map) {
   robot.def("choose", choose);
   robot.def("configurations", ask_robot<ask::InverseQuestion>);
   robot.def("direct", ask_robot<ask::DirectQuestion>);
+  robot.def("describe", ask_robot<ask::DescribeQuestion>);
   robot.def("jacobian", ask_robot<ask::JacobianQuestion>);
   robot.def("uniqueness", ask_robot<ask::UniquenessQuestion>);
   module.def("uniqueness_question", fields_of<ask::UniquenessQuestion>);

@@ -48,7 +48,7 @@ std::vector<std::string> robots() {
 }
 
 py::tuple loaded(const SharedMechanism& mechanism) {
-  return py::make_tuple(CoreRobot{mechanism->mapped_manipulator()}, mechanism->notes());
+  return py::make_tuple(CoreRobot{mechanism->mapped_manipulator(), mechanism}, mechanism->notes());
 }
 
 py::tuple load(const std::string& name) {

@@ -7,6 +7,7 @@
 #include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/urdf/mechanism.h"
 
 #include <atomic>
 #include <chrono>
@@ -22,6 +23,7 @@ namespace parallel_aspects::python {
 /// `_core.Robot`: what Robot of the module stands on. Arguments are checked, and documented, there.
 struct CoreRobot {
   std::shared_ptr<const Manipulator> manipulator;  ///< never null
+  std::shared_ptr<const Mechanism> mechanism{};    ///< of a robot as it was loaded; else null
 };
 
 /// Questions, one at a time.

@@ -8,6 +8,7 @@
 #include "parallel_aspects/ask/jacobian.h"
 #include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/ask/plan.h"
+#include "parallel_aspects/ask/robot_description.h"
 #include "parallel_aspects/ask/workspace.h"
 #include "tools/report/report.h"
 
@@ -17,7 +18,6 @@
 #include <iterator>
 #include <memory>
 #include <string>
-#include <utility>
 
 namespace parallel_aspects::tools {
 namespace {
@@ -44,15 +44,21 @@ std::string text_of_docs(const std::string& file) {
 }
 
 template <class Answer>
-void expect_documented() {
+void expect_documented(const Answer& answer) {
   TableOfFields table;
-  describe(table, std::as_const(*std::make_unique<Answer>()));
+  describe(table, answer);
   EXPECT_NE(text_of_docs("command.md").find(table.rows()), std::string::npos)
       << "docs/command.md has not this table:\n"
       << table.rows();
 }
 
+template <class Answer>
+void expect_documented() {
+  expect_documented(*std::make_unique<const Answer>());
+}
+
 TEST(DocumentedFields, AreThoseOfTheAnswers) {
+  expect_documented(ask::RobotDescription{models::five_bar(), {}, 0, {}});
   expect_documented<ask::PlanAnswer>();
   expect_documented<ask::GraphAnswer>();
   expect_documented<ask::GraphNode>();

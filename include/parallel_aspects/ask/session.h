@@ -21,6 +21,7 @@
 namespace parallel_aspects {
 
 class DistanceMap;
+class Mechanism;
 
 namespace ask {
 
@@ -122,6 +123,9 @@ class Session {
   void know(std::shared_ptr<const AspectMap> map);
   void know(std::shared_ptr<const PoseRoadmap> roadmap);    ///< likewise
   void know(std::shared_ptr<const DistanceMap> distances);  ///< of a map, made ready
+  void know(std::shared_ptr<const Mechanism> mechanism) {
+    mechanism_ = std::move(mechanism);
+  }  ///< of the robot
 
   /// For paths in time.
   void set_acceleration(Acceleration acceleration) { acceleration_ = std::move(acceleration); }
@@ -131,6 +135,8 @@ class Session {
   const std::shared_ptr<const Manipulator>& robot() const noexcept { return robot_; }
   /// Of the robot; never null.
   const std::shared_ptr<const SegmentCertifier>& certifier() const noexcept { return certifier_; }
+  /// What the robot is part of; null where that was not made known.
+  const std::shared_ptr<const Mechanism>& mechanism() const noexcept { return mechanism_; }
   /// What was made known; null for none.
   const std::shared_ptr<const AspectMap>& known_map() const noexcept { return known_map_; }
   const std::shared_ptr<const PoseRoadmap>& known_roadmap() const noexcept {  ///< likewise
@@ -162,6 +168,7 @@ class Session {
                            ProblemList& problems);
 
   std::shared_ptr<const Manipulator> robot_;
+  std::shared_ptr<const Mechanism> mechanism_;
   MapOptions options_;
   Acceleration acceleration_;
   std::shared_ptr<const SegmentCertifier> certifier_;

@@ -131,6 +131,11 @@ class Robot:
         """The link that poses are counted from, together with the task frame."""
         return self._core.base_frame
 
+    def describe(self) -> Dict[str, Any]:
+        """What is recognised in the description, as of `aspects describe`, of a robot as it was loaded: legs, home pose,
+        workspace, limits of all joints. Points and poses are arrays."""
+        return self._core.describe({}, None)
+
     def constrained(
         self,
         constraint: "Union[None, str, Iterable[str]]" = None,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/constraints_report.h"
 
+#include "parallel_aspects/ask/robot_description.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/singularity/indices.h"
 
@@ -89,54 +90,24 @@ Report report_bounds(const AspectMap& map, bool verbose) {
 
 namespace {
 
-/// What the axis is fixed in, and given in the frame of.
-std::string holder(const Manipulator& manipulator, const BallJointCone& cone) {
-  if (cone.end == LegEnd::platform) return "platform";
-  return manipulator.leg(cone.leg).kind().has_crank ? "crank" : "base";
-}
-
-/// A cone, and the joint for whose limit it stands; empty where for none.
-struct StatedCone {
-  const BallJointCone& cone;
-  std::string joint;
-};
-
 /// What the axes are fixed in, and whether the cones are stated: what one line may say of several.
 using Kind = std::pair<std::string, bool>;
 
 class ConesReport {
  public:
-  explicit ConesReport(const Manipulator& manipulator) : manipulator_(manipulator) {
-    for (const BallJointCone& cone : manipulator.constraints().cones) cones_.push_back({cone, ""});
-    for (const PassiveCone& limit : manipulator.constraints().passive_cones)
-      cones_.push_back({limit.cone, limit.joint});
-  }
-
-  nlohmann::json json() const {
-    nlohmann::json array = nlohmann::json::array();
-    for (const auto& [cone, joint] : cones_) {
-      nlohmann::json object{{"leg", leg_of(cone)},
-                            {"end", name(cone.end)},
-                            {"fixed_in", holder(manipulator_, cone)},
-                            {"axis", {cone.axis.x(), cone.axis.y(), cone.axis.z()}},
-                            {"angle", cone.angle},
-                            {"joint", nullptr}};
-      if (!joint.empty()) object["joint"] = joint;
-      array.push_back(object);
-    }
-    return array;
-  }
+  explicit ConesReport(const Manipulator& manipulator)
+      : manipulator_(manipulator), cones_(ask::cones_of(manipulator)) {}
 
   std::string lines() const {
     std::string text;
-    for (const StatedCone& one : cones_) text += line(one);
+    for (const ask::ConeOfRod& one : cones_) text += line(one);
     return text;
   }
 
   /// One line for all of a kind.
   std::string text() const {
-    std::map<Kind, std::vector<const StatedCone*>> kinds;
-    for (const StatedCone& one : cones_) kinds[kind_of(one)].push_back(&one);
+    std::map<Kind, std::vector<const ask::ConeOfRod*>> kinds;
+    for (const ask::ConeOfRod& one : cones_) kinds[kind_of(one)].push_back(&one);
     std::string text;
     for (const auto& [kind, cones] : kinds)
       text += cones.size() == 1 ? line(*cones.front()) : line(kind, cones);
@@ -146,21 +117,21 @@ class ConesReport {
  private:
   const std::string& leg_of(const BallJointCone& cone) const { return manipulator_.leg(cone.leg).name; }
 
-  Kind kind_of(const StatedCone& one) const { return {holder(manipulator_, one.cone), one.joint.empty()}; }
+  Kind kind_of(const ask::ConeOfRod& one) const { return {one.fixed_in, one.joint.empty()}; }
 
-  std::string line(const StatedCone& one) const {
+  std::string line(const ask::ConeOfRod& one) const {
     const Eigen::Vector3d& axis = one.cone.axis;
     return "cone: the rod of " + leg_of(one.cone) + " is at most " + shown(one.cone.angle) + " rad from (" +
-           shown(axis.x()) + ", " + shown(axis.y()) + ", " + shown(axis.z()) + ") of the " +
-           holder(manipulator_, one.cone) + (one.joint.empty() ? "" : ", for a limit of " + one.joint) + "\n";
+           shown(axis.x()) + ", " + shown(axis.y()) + ", " + shown(axis.z()) + ") of the " + one.fixed_in +
+           (one.joint.empty() ? "" : ", for a limit of " + one.joint) + "\n";
   }
 
-  std::string line(const Kind& kind, const std::vector<const StatedCone*>& cones) const {
+  std::string line(const Kind& kind, const std::vector<const ask::ConeOfRod*>& cones) const {
     std::set<std::string> joints;
     std::vector<std::string> legs;
     std::string names;
     double narrowest = cones.front()->cone.angle, widest = narrowest;
-    for (const StatedCone* one : cones) {
+    for (const ask::ConeOfRod* one : cones) {
       narrowest = std::min(narrowest, one->cone.angle);
       widest = std::max(widest, one->cone.angle);
       joints.insert(one->joint);
@@ -181,14 +152,14 @@ class ConesReport {
   }
 
   const Manipulator& manipulator_;
-  std::vector<StatedCone> cones_;
+  std::vector<ask::ConeOfRod> cones_;
 };
 
 }  // namespace
 
-Report report_cones(const Manipulator& manipulator, bool verbose) {
+std::string cones_text(const Manipulator& manipulator, bool verbose) {
   const ConesReport report(manipulator);
-  return {report.json(), verbose ? report.lines() : report.text()};
+  return verbose ? report.lines() : report.text();
 }
 
 }  // namespace parallel_aspects::tools

@@ -28,9 +28,9 @@ Report constrained_report(const Manipulator& robot, const Answer& answer, const 
   return report;
 }
 
-/// The cones that the rods of a manipulator must stay in, those of universal joints among them: a list, and
-/// a line each, or where it is not `verbose` one for all of the same angle.
-Report report_cones(const Manipulator& manipulator, bool verbose);
+/// The cones that the rods of a manipulator must stay in, those of universal joints among them: a line each,
+/// or where it is not `verbose` one for all of the same angle.
+std::string cones_text(const Manipulator& manipulator, bool verbose);
 
 }  // namespace parallel_aspects::tools
 

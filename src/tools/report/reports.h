@@ -42,7 +42,7 @@ Report report_roadmap(const PoseRoadmap& roadmap, bool verbose = false);
 
 /// `aspects describe`: what was recognised in the description of the robot; where `verbose`, with every name
 /// in its notes.
-Report report_mechanism(const Mechanism& mechanism, bool verbose = false);
+Report report_mechanism(const std::shared_ptr<const Mechanism>& mechanism, bool verbose = false);
 
 /// `aspects robots`: names of the shipped robots.
 Report report_robots(const std::vector<std::string>& names);

@@ -96,7 +96,7 @@ Report report_question(const SetupResult& result, const std::string& urdf_file) 
 
 Report report_setup(const SetupResult& result, const std::string& urdf_file, const SetupFiles& written) {
   json object = json_result("found", result);
-  const Report mechanism = report_mechanism(*result.mechanism);
+  const Report mechanism = report_mechanism(result.mechanism);
   object["describe"] = mechanism.json;
   object["config"] = result.config;
   object["written"] = written.config.empty() ? json(nullptr) : json(written.config);

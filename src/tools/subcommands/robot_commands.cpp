@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/message_text.h"
 #include "model/spherical_links.h"
-#include "parallel_aspects/aspects/design.h"
+#include "parallel_aspects/ask/robot_description.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
+#include "tools/report/answer_json.h"
 #include "tools/report/constraints_report.h"
 #include "tools/report/report.h"
 #include "tools/report/reports.h"
@@ -28,39 +29,6 @@ Subcommand robots_subcommand() {
 
 namespace {
 
-using nlohmann::json;
-
-json json_point(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
-
-struct ActuatedJointJson {
-  const Leg& leg;
-
-  json operator()(const RevoluteActuation& actuation) const {
-    return {{"center", json_point(actuation.center)},
-            {"axis", json_point(actuation.axis)},
-            {"zero_direction", json_point(actuation.zero_direction)},
-            {"crank_length", actuation.radius},
-            {"rod_length", leg.rod_length}};
-  }
-  json operator()(const PrismaticActuation& actuation) const {
-    return {{"origin", json_point(actuation.origin)},
-            {"direction", json_point(actuation.direction)},
-            {"rod_length", leg.rod_length}};
-  }
-  json operator()(const StrutActuation& actuation) const {
-    return {{"base", json_point(actuation.base)},
-            {"length_at_zero", actuation.length_at_zero},
-            {"sense", actuation.sense}};
-  }
-  json operator()(const ElbowActuation& actuation) const {
-    return {{"base", json_point(actuation.base)},
-            {"inner_length", actuation.inner_length},
-            {"outer_length", actuation.outer_length},
-            {"angle_at_zero", actuation.angle_at_zero},
-            {"sense", actuation.sense}};
-  }
-};
-
 struct ActuatedJointText {
   const Leg& leg;
 
@@ -75,71 +43,6 @@ struct ActuatedJointText {
     return "inner " + shown(actuation.inner_length) + ", outer " + shown(actuation.outer_length);
   }
 };
-
-json json_limits(const JointLimits& limits) {
-  return {{"lower", json_number(limits.lower)}, {"upper", json_number(limits.upper)}};
-}
-
-json json_joint_limits(const Mechanism& mechanism) {
-  json object = json::object();
-  for (std::size_t k = 0; k < mechanism.joint_names().size(); ++k)
-    object[mechanism.joint_names()[k]] = json_limits(mechanism.joint_limits()[k]);
-  return object;
-}
-
-json json_leg(const Leg& leg) {
-  json object = std::visit(ActuatedJointJson{leg}, leg.actuation);
-  object["name"] = leg.name;
-  object["kind"] = std::string(leg.kind().name);
-  object["actuated_joint"] = leg.actuated_joint;
-  object["unit"] = joint_unit(leg);
-  object["anchor"] = json_point(leg.anchor);
-  object["limits"] = json_limits(leg.limits);
-  return object;
-}
-
-json json_frame(const Eigen::Isometry3d& frame) {
-  const Eigen::Quaterniond rotation(frame.rotation());
-  return {{"position", json_point(frame.translation())},
-          {"quaternion_xyzw", {rotation.x(), rotation.y(), rotation.z(), rotation.w()}}};
-}
-
-json json_modes(const Manipulator& manipulator) {
-  json modes = json::array();
-  for (const WorkingMode& mode : working_modes(manipulator)) modes.push_back(mode.signs());
-  return modes;
-}
-
-json json_parameters(const Manipulator& manipulator) {
-  json object = json::object();
-  for (const DesignParameter& each : design_parameters(manipulator))
-    object[each.name] = {{"value", json_number(each.value)}, {"tied", each.tied}};
-  return object;
-}
-
-json json_mechanism(const Mechanism& mechanism, const json& reach) {
-  const Manipulator& manipulator = *mechanism.manipulator();
-  json legs = json::array();
-  for (const Leg& leg : manipulator.legs()) legs.push_back(json_leg(leg));
-  return {{"mechanism", manipulator.name()},
-          {"task_space", std::string(name(manipulator.task_space()))},
-          {"mobility", mechanism.mobility()},
-          {"idle_degrees_of_freedom", mechanism.idle_degrees_of_freedom()},
-          {"base_frame", manipulator.base_frame()},
-          {"task_frame", json_frame(manipulator.task_frame())},
-          {"platform_link", mechanism.platform_link()},
-          {"size", manipulator.size()},
-          {"legs", legs},
-          {"home", report_home(mechanism).json},
-          {"workspace", reach},
-          {"joints", mechanism.joint_names()},
-          {"joint_limits", json_joint_limits(mechanism)},
-          {"cones", report_cones(manipulator, true).json},
-          {"working_modes", json_modes(manipulator)},
-          {"parameters", json_parameters(*mechanism.mapped_manipulator())},
-          {"margins", json_margins(manipulator.constraints().margins)},
-          {"notes", mechanism.notes()}};
-}
 
 std::string point_text(const Eigen::Vector3d& point) {
   const Eigen::Vector3d told = point.unaryExpr(&without_noise);
@@ -225,7 +128,8 @@ std::string size_text(const Manipulator& manipulator) {
   return moves_on_unit_sphere(manipulator) ? "" : ", size " + shown(manipulator.size()) + " m";
 }
 
-std::string mechanism_text(const Mechanism& mechanism, const std::string& reach, bool verbose) {
+std::string mechanism_text(const ask::RobotDescription& description, bool verbose) {
+  const Mechanism& mechanism = *description.mechanism;
   const Manipulator& manipulator = *mechanism.manipulator();
   const TaskSpace space = manipulator.task_space();
   std::string text = manipulator.name() + ": fully parallel, task space " + std::string(name(space)) +
@@ -233,18 +137,20 @@ std::string mechanism_text(const Mechanism& mechanism, const std::string& reach,
                      counted(manipulator.leg_count(), "leg") + "\n";
   text += "base link " + manipulator.base_frame() + ", operational point at the origin of " +
           mechanism.platform_link() + size_text(manipulator) + "\n";
-  text += frame_text(manipulator) + report_home(mechanism).text + reach + "\n";
+  text += frame_text(manipulator) + home_text(description) + reach_text(description) + "\n";
   text += leg_table(manipulator);
   text += "\nworking modes, as signs of B_jj:" + modes_text(manipulator) + "\n";
-  text += joints_text(mechanism) + margins_text(mechanism) + report_cones(manipulator, verbose).text;
+  text += joints_text(mechanism) + margins_text(mechanism) + cones_text(manipulator, verbose);
   return text + notes_text(mechanism.notes_in_pieces(), verbose);
 }
 
 }  // namespace
 
-Report report_mechanism(const Mechanism& mechanism, bool verbose) {
-  const Report reach = report_reach(mechanism);
-  return {json_mechanism(mechanism, reach.json), mechanism_text(mechanism, reach.text, verbose)};
+Report report_mechanism(const std::shared_ptr<const Mechanism>& mechanism, bool verbose) {
+  ask::Session session(mechanism->manipulator());
+  session.know(mechanism);
+  const ask::RobotDescription description = answer(session, ask::DescribeQuestion()).answer;
+  return {answer_json(*mechanism->manipulator(), description), mechanism_text(description, verbose)};
 }
 
 namespace {
@@ -276,7 +182,7 @@ Subcommand describe_subcommand() {
             const std::string urdf = robot.urdf_file();
             return !urdf.empty() && robot.config_file().empty()
                        ? describe_bare(urdf, surroundings)
-                       : report_mechanism(*load_checked(robot), arguments->verbose);
+                       : report_mechanism(load_checked(robot), arguments->verbose);
           },
           {{"--verbose", "List every joint that a note is about", &arguments->verbose}}};
 }

@@ -24,6 +24,7 @@ planar.constrained(no_constraint="all").constraints
 planar.constrained(constraint=["actuated_limits"], tolerance=0.001).constraints
 five_bar.with_lengths({"rod_1": 5.5, "rod_2": 8.8}).lengths
 five_bar.with_lengths({"rod_1": 5.5}, untied=True).lengths
+five_bar.describe()
 five_bar.inverse((4.5, 8), "(+,-)")
 five_bar.inverse([(4.5, 8), (50, 0)], (1, -1))
 five_bar.configurations((4.5, 8))
@@ -77,6 +78,7 @@ pa.nothing
 pa.read_sweep("share/urdf/five_bar.urdf")
 five_bar.constrained(margin={"parallel": 2, "serial": -1})
 five_bar.constrained(constraint="gravity")
+five_bar.with_lengths({"rod_1": 5.5}).describe()
 five_bar.with_lengths({"rod_1": "long"})
 five_bar.with_lengths({"crank_1": -1})
 five_bar.with_lengths({"wheel": 1})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/robot_report/reached_poses.h"
+#include "ask/reached_poses.h"
 
 #include "aspects/constraints/constraint_clearance.h"
 #include "model/task_space_traits.h"
@@ -13,7 +13,7 @@
 #include <random>
 #include <set>
 
-namespace parallel_aspects::tools {
+namespace parallel_aspects::ask {
 namespace {
 
 constexpr int samples_where_flooded = 4000;
@@ -223,4 +223,4 @@ ReachedPoses flooded_from(const Manipulator& manipulator, const Pose& home) {
   return result;
 }
 
-}  // namespace parallel_aspects::tools
+}  // namespace parallel_aspects::ask

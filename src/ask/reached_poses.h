@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TOOLS_ROBOT_REPORT_REACHED_POSES_H
-#define PARALLEL_ASPECTS_TOOLS_ROBOT_REPORT_REACHED_POSES_H
+#ifndef PARALLEL_ASPECTS_ASK_REACHED_POSES_H
+#define PARALLEL_ASPECTS_ASK_REACHED_POSES_H
 
+#include "parallel_aspects/ask/robot_description.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
@@ -9,12 +10,7 @@
 
 #include <vector>
 
-namespace parallel_aspects::tools {
-
-/// From where to where one coordinate can move away from a pose while the others stay [m or rad].
-struct CoordinateRange {
-  double lower = 0.0, upper = 0.0;
-};
+namespace parallel_aspects::ask {
 
 /// Poses that the legs reach within all that bounds the robot, in any working mode, singular or not. As found
 /// by looking at many: about right, and not proved.
@@ -34,6 +30,6 @@ ReachedPoses flooded_from(const Manipulator& manipulator, const Pose& home);
 /// operational point first, at most half a turn; then displacements.
 std::vector<CoordinateRange> ranges_alone(const Manipulator& manipulator, const Pose& home);
 
-}  // namespace parallel_aspects::tools
+}  // namespace parallel_aspects::ask
 
-#endif  // PARALLEL_ASPECTS_TOOLS_ROBOT_REPORT_REACHED_POSES_H
+#endif  // PARALLEL_ASPECTS_ASK_REACHED_POSES_H
