@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/plan/plan_question.h"
 
+#include "ask/question_parts.h"
 #include "parallel_aspects/ask/jacobian.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "ros/messages/conversions.h"
