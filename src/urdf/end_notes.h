@@ -3,7 +3,6 @@
 #define PARALLEL_ASPECTS_URDF_END_NOTES_H
 
 #include "urdf/corrections/edit.h"
-#include "urdf/diagnosis/attempt.h"
 #include "urdf/mechanism_contents.h"
 
 #include <functional>

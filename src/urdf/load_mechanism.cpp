@@ -34,11 +34,12 @@ namespace {
 
 constexpr std::size_t max_closures = 36;  // six for each leg of a hexapod
 
-void check_closures(const std::vector<Closure>& closures, const SourceNames& files, Problems& problems) {
+void check_closures(const std::vector<Closure>& closures, const SourceNames& files) {
   if (closures.size() > max_closures)
-    problems.push_back(files.config + " and " + files.urdf + " describe " + std::to_string(closures.size()) +
-                       " closures, and at most " + std::to_string(max_closures) +
-                       " are treated; a robot needs one for each loop.");
+    throw InvalidDescription({files.config + " and " + files.urdf + " describe " +
+                              std::to_string(closures.size()) + " closures, and at most " +
+                              std::to_string(max_closures) +
+                              " are treated; a robot needs one for each loop."});
 }
 
 // Which joints are in the loops does not depend on the types.
@@ -57,7 +58,7 @@ std::optional<Note> joints_left_out(const ClosureSystem& loops, const SourceName
 }
 
 [[noreturn]] void refuse(const Diagnosis& diagnosis) {
-  if (diagnosis.has_remedy) throw CorrectableDescription(diagnosis.problems);
+  if (diagnosis.kind != Diagnosis::Kind::guess) throw ExplainedDescription(diagnosis.problems);
   throw InvalidDescription(diagnosis.problems);
 }
 
@@ -114,8 +115,7 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
       if (auto note = borrowed_length_note(tree, resolved, files, attempt))
         contents->notes.push_back(std::move(*note));
       if (contents->notes.size() == before)  // a frame that is turned turns an axis, too
-        for (std::string& note : other_axes_notes(tree, resolved, files, attempt))
-          contents->notes.push_back(std::move(note));
+        for (Note& note : other_axes_notes(subject, attempt)) contents->notes.push_back(std::move(note));
     }
     return contents;
   }
@@ -165,6 +165,27 @@ void take_tolerance(double share, const SourceNames& files, Mechanism::Contents&
 
 }  // namespace
 
+std::unique_ptr<Mechanism::Contents> recognise_named(NamedDescription description, const SourceNames& files,
+                                                     const LoadSearch& search) {
+  const std::shared_ptr<const Tree>& tree = description.tree;
+  ResolvedConfig& resolved = description.resolved;
+  check_closures(resolved.closures, files);
+  Notes notes;
+  if (const auto note = leave_out_repeated(resolved, files)) notes.push_back(*note);
+  for (const std::string& note :
+       join_layers(*tree, resolved.actuated_joints.platform_link, files, resolved.closures))
+    notes.push_back(note);
+  if (!is_actuation_count(resolved.actuated_joints.variables.size()) && !resolved.closures.empty())
+    if (auto note = leave_out_idle_chains(tree, files, resolved)) notes.push_back(std::move(*note));
+  auto contents = recognise(tree, description.config, resolved, files, search);
+  const ClosureSystem loops = loops_of(tree, resolved);
+  for (const std::string& note : shared_frame_notes(*tree, resolved, loops.size())) notes.push_back(note);
+  for (const std::string& note : reversed_axes_notes(*tree, resolved, files)) notes.push_back(note);
+  if (const auto note = joints_left_out(loops, files)) notes.push_back(*note);
+  contents->notes.insert(contents->notes.begin(), notes.begin(), notes.end());
+  return contents;
+}
+
 SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
                                const std::string& config_text, const std::string& config_name,
                                const std::string& frame_prefix) {
@@ -185,21 +206,9 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   if (!tree) throw InvalidDescription(problems);
   add_operational_point(config.operational_point, files, *tree, problems);
   ResolvedConfig resolved = resolved_names(*tree, config, urdf_text, config_text, files, problems, notes);
-  check_closures(resolved.closures, files, problems);
   if (!problems.empty()) throw InvalidDescription(problems);
-  if (const auto note = leave_out_repeated(resolved, files)) notes.push_back(*note);
-  for (const std::string& note :
-       join_layers(*tree, resolved.actuated_joints.platform_link, files, resolved.closures))
-    notes.push_back(note);
-  const auto open_tree = std::make_shared<const Tree>(std::move(*tree));
-  if (!is_actuation_count(resolved.actuated_joints.variables.size()) && !resolved.closures.empty())
-    if (auto note = leave_out_idle_chains(open_tree, files, resolved)) notes.push_back(std::move(*note));
-  auto contents = recognise(open_tree, config, resolved, files, search);
-  const ClosureSystem loops = loops_of(open_tree, resolved);
-  for (const std::string& note : shared_frame_notes(*open_tree, resolved, loops.size()))
-    notes.push_back(note);
-  for (const std::string& note : reversed_axes_notes(*open_tree, resolved, files)) notes.push_back(note);
-  if (const auto note = joints_left_out(loops, files)) notes.push_back(*note);
+  auto contents =
+      recognise_named({std::make_shared<const Tree>(std::move(*tree)), config, resolved}, files, search);
   Problems of_constraints;
   add_stated_constraints(config.constraints, config.symmetrize, files, *contents, of_constraints);
   if (!of_constraints.empty()) throw InvalidDescription(of_constraints);

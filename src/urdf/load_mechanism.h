@@ -4,14 +4,19 @@
 
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/urdf/mechanism.h"
+#include "urdf/closing/resolved_config.h"
+#include "urdf/config/mechanism_config.h"
+#include "urdf/description/tree.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace parallel_aspects {
 
-/// Thrown where corrections were tried that make a robot of a description; its problems name them.
-class CorrectableDescription : public InvalidDescription {
+/// Thrown where it is known why a description makes no robot: its problems name edits of it that were tried
+/// and make one, or what keeps it from being one whatever is edited.
+class ExplainedDescription : public InvalidDescription {
  public:
   using InvalidDescription::InvalidDescription;
 };
@@ -26,7 +31,18 @@ struct LoadSearch {
   bool as_options = false;
 };
 
-/// `load_mechanism` for those who load many, of which most are refused.
+/// A description whose names have been looked up.
+struct NamedDescription {
+  std::shared_ptr<const Tree> tree;
+  MechanismConfig config;  ///< of which constraints and home are not looked at here
+  ResolvedConfig resolved;
+};
+
+/// The mechanism that it makes, for those who try many, of which most are refused. Throws InvalidDescription.
+std::unique_ptr<Mechanism::Contents> recognise_named(NamedDescription description, const SourceNames& files,
+                                                     const LoadSearch& search);
+
+/// `load_mechanism` with such a search.
 SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
                                const std::string& config_text, const std::string& config_name,
                                const std::string& frame_prefix, const LoadSearch& search);

@@ -4,12 +4,12 @@
 #include "model/message_text.h"
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
+#include "urdf/corrections/edit.h"
 #include "urdf/description/messages.h"
 
 #include <algorithm>
 #include <array>
 #include <bitset>
-#include <sstream>
 #include <utility>
 
 namespace parallel_aspects {
@@ -68,17 +68,6 @@ Note listed_types(const std::vector<Closure>& open, const std::vector<Closure>& 
 
 constexpr std::size_t most_named = 6;  // joints of a refusal; of more it has the count
 
-constexpr int note_digits = 4, yaml_digits = 12;
-
-std::string triple(const Eigen::Vector3d& vector, int digits = note_digits) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(digits);
-  for (int k = 0; k < 3; ++k)
-    text << (k == 0 ? "[" : ", ") << (std::abs(vector[k]) < 1e-12 ? 0.0 : vector[k]);
-  return text.str() + "]";
-}
-
 // Where a weld holds its second link in the first.
 Eigen::Isometry3d offset(const Closure& weld) {
   return weld.frames[0].in_link * weld.frames[1].in_link.inverse();
@@ -91,10 +80,14 @@ bool has_offset(const Closure& closure, double size) {
 // "'b' at xyz [1, 0, 0] m of 'a'", for each weld that does not hold two origins together.
 std::string offsets(const std::vector<Closure>& closures, const Tree& tree, double size) {
   std::string text;
-  for (const Closure& closure : closures)
-    if (has_offset(closure, size))
-      text += (text.empty() ? "" : ", ") + ("'" + tree.links[closure.frames[1].link]) + "' at xyz " +
-              triple(offset(closure).translation()) + " m of '" + tree.links[closure.frames[0].link] + "'";
+  for (const Closure& closure : closures) {
+    if (!has_offset(closure, size)) continue;
+    const Eigen::Vector3d at = offset(closure).translation();
+    text += (text.empty() ? "'" : ", '") + tree.links[closure.frames[1].link] + "' at xyz [";
+    for (const Eigen::Index k : {0, 1, 2})
+      text += (k == 0 ? "" : ", ") + number_text(without_noise(at[k]), 4);
+    text += "] m of '" + tree.links[closure.frames[0].link] + "'";
+  }
   return text;
 }
 
@@ -296,9 +289,8 @@ class OpenChoices {
     const std::string& link = tree_->links[frame.link];
     if (frame.in_link.isApprox(Eigen::Isometry3d::Identity())) return link;
     if (files_.as_options) return placed_name(link, frame.in_link.translation());
-    const Eigen::Vector3d zyx = frame.in_link.linear().eulerAngles(2, 1, 0);
-    return "{link: " + link + ", xyz: " + triple(frame.in_link.translation(), yaml_digits) +
-           ", rpy: " + triple(zyx.reverse(), yaml_digits) + "}";
+    return "{link: " + link + ", xyz: " + as_list(frame.in_link.translation()) +
+           ", rpy: " + as_list(roll_pitch_yaw(frame.in_link.linear())) + "}";
   }
 
   const std::shared_ptr<const Tree>& tree_;

@@ -14,13 +14,6 @@ struct Carried {
   std::size_t joint = 0, chain = 0;
 };
 
-std::size_t body_link(const Tree& tree, std::size_t link) {
-  for (auto joint = tree.joint_above[link]; joint && !tree.joints[*joint].variable;
-       joint = tree.joint_above[link])
-    link = tree.joints[*joint].parent;
-  return link;
-}
-
 std::vector<std::vector<Carried>> carried_joints(const Tree& tree) {
   std::vector<std::vector<Carried>> carried(tree.links.size());
   for (std::size_t k = tree.joints.size(); k-- > 0;) {
@@ -28,7 +21,7 @@ std::vector<std::vector<Carried>> carried_joints(const Tree& tree) {
     if (!joint.variable) continue;
     std::size_t chain = 1;
     for (const Carried& next : carried[joint.child]) chain = std::max(chain, next.chain + 1);
-    carried[body_link(tree, joint.parent)].push_back({k, chain});
+    carried[body_of(tree, joint.parent)].push_back({k, chain});
   }
   return carried;
 }

@@ -32,28 +32,10 @@ struct PlatformFreedom {
 PlatformFreedom platform_freedom(const ClosureSystem& system, const Assembly& assembly, std::size_t link,
                                  std::size_t actuated_joints);
 
-/// In how many ways the links of closed loops move: what costs as much as one attempt to load, and rules out
-/// many.
-class Freedom {
- public:
-  /// The tree must outlive it; no closure may be automatic.
-  Freedom(const Tree& tree, std::size_t base, std::vector<Closure> closures);
-
-  /// The most, over some configurations, by which the twist of a link has dimensions; 0 where the loops do
-  /// not close.
-  std::size_t of(std::size_t link) const;
-
- private:
-  struct Sample {
-    Poses poses;
-    Eigen::MatrixXd motions;  // orthonormal columns, lengths in sizes of the robot
-  };
-
-  void add(const Eigen::VectorXd& values);
-
-  ClosureSystem system_;
-  std::vector<Sample> samples_;
-};
+/// In how many ways these configurations, which close the loops, let a link move at most: 0 where there are
+/// none.
+std::size_t freedom_of(const ClosureSystem& system, const std::vector<Eigen::VectorXd>& closed,
+                       std::size_t link);
 
 /// The joints inside the loops that these hold still, for each joint value: as those that only take up
 /// misalignment in a planar robot. Found from where the mechanism is after a step of each of its motions.

@@ -17,11 +17,6 @@ bool are_same(const LinkFrame& one, const LinkFrame& other) {
   return one.link == other.link && one.in_link.isApprox(other.in_link, rank_tolerance);
 }
 
-bool are_same(const Closure& one, const Closure& other) {
-  const auto &a = one.frames, &b = other.frames;
-  return (are_same(a[0], b[0]) && are_same(a[1], b[1])) || (are_same(a[0], b[1]) && are_same(a[1], b[0]));
-}
-
 Edit with_type(const Subject& s, std::size_t index, ClosureType type) {
   const auto count = [&](ClosureType wanted) {
     return std::count_if(s.resolved.closures.begin(), s.resolved.closures.end(),
@@ -41,11 +36,6 @@ Edit with_type(const Subject& s, std::size_t index, ClosureType type) {
 Edits closure_edits(const Subject& subject) {
   const std::vector<Closure>& closures = subject.resolved.closures;
   Edits found;
-  for (std::size_t k = 0; k < closures.size(); ++k)
-    for (std::size_t other = 0; other < k; ++other)
-      if (are_same(closures[k], closures[other]))
-        found.push_back(edit_of(subject, subject.file() + " has " + subject.closure(k) + " twice",
-                                {ClosureRemoval{k}}, true));
   for (std::size_t k = 0; k < closures.size(); ++k)
     for (const ClosureType type : {ClosureType::point, ClosureType::revolute, ClosureType::universal})
       if (closures[k].type != ClosureType::automatic && type != closures[k].type)

@@ -66,12 +66,6 @@ std::string type_text(const ResolvedConfig& resolved, ClosureType type) {
                                   : "type: " + type_word(resolved, type);
 }
 
-std::string actuation_entry(const Subject& subject, const std::vector<std::size_t>& variables) {
-  std::vector<std::string> names;
-  for (const std::size_t variable : variables) names.push_back(subject.tree.joint_of(variable).name);
-  return subject.files.entry("actuated_joints", names);
-}
-
 Subject::Subject(std::shared_ptr<const Tree> of, const ResolvedConfig& config, const SourceNames& names)
     : shared_tree(std::move(of)),
       tree(*shared_tree),
@@ -177,12 +171,11 @@ class ChangeWriter {
                          "], type: " + std::string(name(added.closure.type)) + "} to mechanism." +
                          (described ? "added_closures" : "closures")};
   }
-  ChangeText operator()(const ClosureRemoval& change) const {
-    const std::string element = subject_.closure(change.closure);
-    return {element, "leave out one entry of " + element};
-  }
   ChangeText operator()(const ActuationChange& change) const {
-    return {"actuated_joints", "write " + actuation_entry(subject_, change.variables)};
+    std::vector<std::string> names;
+    for (const std::size_t variable : change.variables)
+      names.push_back(subject_.tree.joint_of(variable).name);
+    return {"actuated_joints", "write " + subject_.files.entry("actuated_joints", names)};
   }
   ChangeText operator()(const BaseChange& change) const {
     return {"base_link", "write " + subject_.files.entry("base_link", subject_.tree.links[change.link])};
@@ -274,9 +267,6 @@ class Editor {
   }
   void operator()(const TypeChange& change) const { resolved_.closures[change.closure].type = change.type; }
   void operator()(const ClosureAddition& added) const { resolved_.closures.push_back(added.closure); }
-  void operator()(const ClosureRemoval& change) const {
-    resolved_.closures.erase(resolved_.closures.begin() + static_cast<std::ptrdiff_t>(change.closure));
-  }
   void operator()(const ActuationChange& change) const {
     resolved_.actuated_joints.variables = change.variables;
   }

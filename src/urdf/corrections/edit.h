@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,10 @@
 #include <vector>
 
 namespace parallel_aspects {
+
+/// What a description would be recognised as: "T2" and so on; nothing where it is refused.
+using Attempt =
+    std::function<std::optional<std::string>(const std::shared_ptr<const Tree>&, const ResolvedConfig&)>;
 
 /// A description whose edits are looked for, and what these ask of it.
 struct Subject {
@@ -77,9 +82,6 @@ struct TypeChange {
 struct ClosureAddition {
   Closure closure;
 };
-struct ClosureRemoval {
-  std::size_t closure = 0;
-};
 struct ActuationChange {
   std::vector<std::size_t> variables;
 };
@@ -91,7 +93,7 @@ struct PointChange {
 };
 using Change =
     std::variant<OriginChange, MotionChange, LimitsChange, ParentChange, JointAddition, FrameChange,
-                 TypeChange, ClosureAddition, ClosureRemoval, ActuationChange, BaseChange, PointChange>;
+                 TypeChange, ClosureAddition, ActuationChange, BaseChange, PointChange>;
 
 /// A change of one element of a description, or the same one of like elements, that may be what it needs. A
 /// guess: whether the element is at fault shows where the edited description is recognised.
@@ -123,9 +125,6 @@ Edit together(const Edit& first, const Edit& second);
 /// type alone.
 std::string type_text(const ResolvedConfig& resolved, ClosureType type);
 std::string type_word(const ResolvedConfig& resolved, ClosureType type);
-
-/// The list of actuated joints as the description has it.
-std::string actuation_entry(const Subject& subject, const std::vector<std::size_t>& variables);
 
 /// "1 0 0", as an attribute of a URDF has it.
 std::string as_attribute(const Eigen::Vector3d& vector);

@@ -31,6 +31,10 @@ Edits passive_slide_edits(const Subject& subject);
 /// have it.
 Edits missing_joint_edits(const Subject& subject);
 
+/// The same of a joint and all its siblings that move as it does: a mistake in one leg is as a rule made in
+/// each.
+Edits motions_of_like_legs(const Subject& subject);
+
 /// Of the origin of a joint: the place or the rotation of its siblings first, then a coordinate of the other
 /// sign, millimetres, a place or an rpy that the frames beside it make a pattern with, the rpy of another
 /// frame, one of the other sign or without one of its angles.
@@ -46,7 +50,7 @@ Edits axis_edits(const Subject& subject, const Eigen::VectorXd& values);
 /// lists. `joints`: those that are looked at; `loads`: as it is, which less is said of.
 Edits unit_edits(const Subject& subject, const LoopJoints& joints, bool loads = false);
 
-/// Of the closures: another type of one, or one less where two are the same.
+/// Of the closures: another type of one.
 Edits closure_edits(const Subject& subject);
 
 /// What is wrong in one leg is as a rule wrong in each: edits of all closures, and of those of one kind by

@@ -38,13 +38,6 @@ std::vector<Eigen::Vector3d> anchors(const Tree& tree, const ResolvedConfig& res
 
 }  // namespace
 
-std::size_t body_of(const Tree& tree, std::size_t link) {
-  for (auto joint = tree.joint_above[link]; joint && !tree.joints[*joint].variable;
-       joint = tree.joint_above[link])
-    link = tree.joints[*joint].parent;
-  return link;
-}
-
 bool legs_share_anchors(const Tree& tree, const ResolvedConfig& resolved, double size) {
   const std::vector<Eigen::Vector3d> points = anchors(tree, resolved);
   bool any_together = false, any_apart = false;

@@ -13,9 +13,6 @@
 
 namespace parallel_aspects {
 
-/// The link above that a movable joint carries, or the root: the same for all links of a body.
-std::size_t body_of(const Tree& tree, std::size_t link);
-
 /// Whether two legs are on one point of the platform though others are elsewhere on it. `size`: what lengths
 /// are small against [m].
 bool legs_share_anchors(const Tree& tree, const ResolvedConfig& resolved, double size);

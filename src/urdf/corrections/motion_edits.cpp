@@ -212,6 +212,42 @@ Edits passive_slide_edits(const Subject& subject) {
 
 namespace {
 
+// Whether no sibling that is alike comes before it, so that each group is edited once.
+bool is_first_of_its_kind(const Subject& s, std::size_t joint) {
+  const std::vector<std::size_t> siblings = s.loops.siblings(joint);
+  return std::none_of(siblings.begin(), siblings.end(),
+                      [&](std::size_t other) { return other < joint && s.loops.same_motion(joint, other); });
+}
+
+}  // namespace
+
+Edits motions_of_like_legs(const Subject& subject) {
+  Edits found;
+  for (const std::size_t joint : subject.loops.all()) {
+    if (!is_first_of_its_kind(subject, joint)) continue;
+    std::string names;
+    std::vector<std::size_t> like;
+    for (const std::size_t sibling : subject.loops.siblings(joint))
+      if (subject.loops.same_motion(joint, sibling)) {
+        like.push_back(sibling);
+        names += (names.empty() ? "" : ", ") + subject.joint(sibling);
+      }
+    if (like.empty()) continue;
+    for (const Edit& edit : motion_edits(subject, joint)) {
+      std::vector<Change> changes = edit.changes;
+      for (const std::size_t sibling : like) {
+        MotionChange change = std::get<MotionChange>(edit.changes.front());
+        change.joint = sibling;
+        changes.emplace_back(change);
+      }
+      found.push_back(edit_of(subject, edit.fault + ", and likewise " + names, std::move(changes)));
+    }
+  }
+  return found;
+}
+
+namespace {
+
 bool are_alike(const Tree& tree, const Joints& one, const Joints& other) {
   return std::equal(one.begin(), one.end(), other.begin(), other.end(), [&](std::size_t a, std::size_t b) {
     return are_same(tree.joints[a].motion, tree.joints[a].axis, tree.joints[b].motion, tree.joints[b].axis);

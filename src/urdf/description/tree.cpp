@@ -97,6 +97,13 @@ bool turns_freely(const TreeJoint& joint) noexcept {
          joint.limits.upper - joint.limits.lower > 2.0 * EIGEN_PI - turn_rounding;
 }
 
+std::size_t body_of(const Tree& tree, std::size_t link) {
+  for (auto joint = tree.joint_above[link]; joint && !tree.joints[*joint].variable;
+       joint = tree.joint_above[link])
+    link = tree.joints[*joint].parent;
+  return link;
+}
+
 bool has_child(const Tree& tree, std::size_t link) {
   return std::any_of(tree.joints.begin(), tree.joints.end(),
                      [link](const TreeJoint& joint) { return joint.parent == link; });

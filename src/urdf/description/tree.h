@@ -54,6 +54,9 @@ struct Tree {
 /// Whether a joint hangs on this link.
 bool has_child(const Tree& tree, std::size_t link);
 
+/// The link above that a movable joint carries, or the root: the same for all links of a body.
+std::size_t body_of(const Tree& tree, std::size_t link);
+
 using Poses = std::vector<Eigen::Isometry3d>;
 
 /// Frame of every link in the frame of link `base` [m], for these joint values.

@@ -34,6 +34,7 @@ enum class Cost {
   point_frame,        // of a closure that holds another place of the platform than that
   frames_and_drives,  // a frame with one of the actuated joints
   others,             // an element otherwise
+  like_legs,          // the same of a joint in all legs
   types,              // of like closures
 };
 constexpr auto costliest = Cost::types;
@@ -106,13 +107,13 @@ class Search {
       for (const Edits& kind : edits_at(at))
         if (search_.try_all(kind)) return diagnosis(at);
     }
-    if (singular) return without_remedy(*singular);
+    if (singular) return Diagnosis{{*singular}, Diagnosis::Kind::fact};
     if (const auto held =
             chain_that_holds_too_much(s_.system, values(), s_.resolved.actuated_joints, s_.files))
-      return without_remedy(*held);
+      return Diagnosis{{*held}};
     if (const auto linkage =
             linkage_of_one_degree_of_freedom(s_.shared_tree, s_.resolved, assembled(), s_.files))
-      return without_remedy(*linkage);
+      return Diagnosis{{*linkage}};
     return std::nullopt;
   }
 
@@ -159,8 +160,9 @@ class Search {
       case Cost::frames_and_drives:
         return frames_and_drives();
       case Cost::others:
-        return {!is_known() && (gaps_.are_to_meet() || !mobility_fits()) ? those_of(elements(), false)
-                                                                         : Edits{}};
+        return {may_be_elsewhere() ? those_of(elements(), false) : Edits{}};
+      case Cost::like_legs:
+        return {may_be_elsewhere() ? motions_of_like_legs(s_) : Edits{}};
       case Cost::types:
         return types();
     }
@@ -268,6 +270,8 @@ class Search {
                 .empty();
   }
 
+  bool may_be_elsewhere() { return !is_known() && (gaps_.are_to_meet() || !mobility_fits()); }
+
   bool mobility_fits() {
     return is_assembled() &&
            (!s_.resolved.actuation_origin.empty() ||
@@ -298,12 +302,13 @@ std::optional<Diagnosis> diagnosis_of_gaps(const std::shared_ptr<const Tree>& tr
   const auto remedy =
       are_all_welds(resolved.closures) ? std::nullopt : list_of_ends(tree, resolved, files, attempt);
   if (!remedy) return std::nullopt;
-  return without_remedy(
-      file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
-      end_gaps_text(*tree, resolved) +
-      ", and holds them so; correct the origins of the joints in their loops, or, if these are right and the "
-      "ends are to meet elsewhere, write " +
-      *remedy + ".");
+  return Diagnosis{{file_of_closures(resolved, files) +
+                    " has ends of closures apart while all joints are zero, " +
+                    end_gaps_text(*tree, resolved) +
+                    ", and holds them so; correct the origins of the joints in their loops, or, if these are "
+                    "right and the "
+                    "ends are to meet elsewhere, write " +
+                    *remedy + "."}};
 }
 
 }  // namespace
@@ -331,8 +336,8 @@ std::optional<Diagnosis> diagnosis_of_ends(const std::shared_ptr<const Tree>& tr
     faults += (faults.empty() ? "" : ", and ") + wrong.fault;
   }
   const auto next = diagnosis_of(tree, changed, files, attempt);
-  if (!next) return without_remedy(faults + ".");
-  return Diagnosis{{text + "then " + next->problems.front()}, next->has_remedy};
+  if (!next) return Diagnosis{{faults + "."}};
+  return Diagnosis{{text + "then " + next->problems.front()}, next->kind};
 }
 
 }  // namespace parallel_aspects

@@ -6,7 +6,7 @@
 #include "urdf/closing/ends_of_loops.h"
 #include "urdf/closing/resolved_config.h"
 #include "urdf/description/tree.h"
-#include "urdf/diagnosis/attempt.h"
+#include "urdf/diagnosis/edit_search.h"
 
 #include <memory>
 #include <optional>

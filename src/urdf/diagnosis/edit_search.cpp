@@ -96,13 +96,16 @@ bool EditSearch::closes_and_moves(const Edited& after, ClosureType type_of_open_
 Diagnosis EditSearch::diagnosis() const {
   const Working& first = working_.front();
   if (working_.size() == 1 && is_complete_)
-    return with_remedy(first.edit.fault + "; " + first.edit.remedy + ", which makes it a robot in " +
-                       first.space + ".");
+    return {
+        {(first.edit.fault + "; " + first.edit.remedy + ", which makes it a robot in " + first.space + ".")
+             .text()},
+        Diagnosis::Kind::remedy};
   std::string text = s_.files.urdf + " and " + s_.files.config +
                      " do not make a robot, and each of these corrections alone would make it one: ";
   for (std::size_t k = 0; k < working_.size() && k < max_named; ++k)
     text += (k == 0 ? "" : "; or ") + working_[k].edit.remedy + " (" + working_[k].space + ")";
-  return with_remedy(text + (is_complete_ && working_.size() <= max_named ? "." : "; there may be others."));
+  return {{text + (is_complete_ && working_.size() <= max_named ? "." : "; there may be others.")},
+          Diagnosis::Kind::remedy};
 }
 
 }  // namespace parallel_aspects

@@ -2,8 +2,8 @@
 #ifndef PARALLEL_ASPECTS_URDF_DIAGNOSIS_EDIT_SEARCH_H
 #define PARALLEL_ASPECTS_URDF_DIAGNOSIS_EDIT_SEARCH_H
 
+#include "parallel_aspects/model/problems.h"
 #include "urdf/corrections/edit.h"
-#include "urdf/diagnosis/attempt.h"
 #include "urdf/diagnosis/closure_gaps.h"
 
 #include <cstddef>
@@ -13,6 +13,17 @@
 #include <vector>
 
 namespace parallel_aspects {
+
+/// Why a description makes no robot.
+struct Diagnosis {
+  enum class Kind {
+    guess,   ///< what is not as it should be
+    remedy,  ///< edits of it that were tried and make a robot
+    fact,    ///< that the description may be right, and no way to read it gives a robot that can be used
+  };
+  Problems problems;
+  Kind kind = Kind::guess;
+};
 
 /// Whether the mobility fits and the platform moves in a task space, not as a mere point of space: that is
 /// seldom meant where three joints are actuated.

@@ -158,39 +158,29 @@ constexpr std::size_t most_poses = 12, least_poses = 6;
 // Elsewhere mobility beyond that of the platform is a fault of its own.
 constexpr std::size_t drives_of_spinning_rods = 6;
 
-// Of an assembled robot in one pose.
-class DriveOfPlatform {
- public:
-  DriveOfPlatform(const ClosureSystem& system, const ActuatedJoints& joints, const SourceNames& files)
-      : system_(system), joints_(joints), files_(files) {}
+bool has_legs(const ClosureSystem& system, const Eigen::VectorXd& values, const ActuatedJoints& joints,
+              const SourceNames& files) {
+  const std::vector<bool> none(system.in_loop().size(), false);
+  Problems problems;
+  const FoundLegs found = find_legs({system, values, none}, joints, files, problems);
+  return found.legs.size() == joints.variables.size() && problems.empty();
+}
 
-  // Whether each leg has its actuated joint, all of these move, and the platform in as many ways; but some of
-  // them with all actuated joints locked.
-  bool is_lost(const Eigen::VectorXd& values) const {
-    const LoopMotions loops = loop_motions(system_, values);
-    const std::size_t count = joints_.variables.size();
-    const bool has_idle = loops.motions.cols() > static_cast<Eigen::Index>(count);
-    if (has_idle && count != drives_of_spinning_rods) return false;
-    if (!platform_freedom(system_, {values, loops.motions, 0.0}, joints_.platform_link, count).is_full(count))
-      return false;
-    const Eigen::MatrixXd rates = actuated_rates(system_, loops.motions, joints_.variables);
-    const bool all_move = rates.rowwise().norm().minCoeff() > velocity_tolerance;
-    return all_move && singular_values(rates).minCoeff() < rank_tolerance && has_legs(values);
-  }
-
- private:
-  bool has_legs(const Eigen::VectorXd& values) const {
-    const std::vector<bool> none(system_.in_loop().size(), false);
-    Problems problems;
-    return find_legs({system_, values, none}, joints_, files_, problems).legs.size() ==
-               joints_.variables.size() &&
-           problems.empty();
-  }
-
-  const ClosureSystem& system_;
-  const ActuatedJoints& joints_;
-  const SourceNames& files_;
-};
+// Whether each leg has its actuated joint, all of these move, and the platform in as many ways; but some of
+// them with all actuated joints locked.
+bool is_lost(const ClosureSystem& system, const Eigen::VectorXd& values, const ActuatedJoints& joints,
+             const SourceNames& files) {
+  const LoopMotions loops = loop_motions(system, values);
+  const std::size_t count = joints.variables.size();
+  const bool has_idle = loops.motions.cols() > static_cast<Eigen::Index>(count);
+  if (has_idle && count != drives_of_spinning_rods) return false;
+  if (!platform_freedom(system, {values, loops.motions, 0.0}, joints.platform_link, count).is_full(count))
+    return false;
+  const Eigen::MatrixXd rates = actuated_rates(system, loops.motions, joints.variables);
+  const bool all_move = rates.rowwise().norm().minCoeff() > velocity_tolerance;
+  return all_move && singular_values(rates).minCoeff() < rank_tolerance &&
+         has_legs(system, values, joints, files);
+}
 
 }  // namespace
 
@@ -199,10 +189,10 @@ std::optional<std::string> singular_everywhere(const std::shared_ptr<const Tree>
   const ActuatedJoints& joints = resolved.actuated_joints;
   if (joints.variables.size() < 2) return std::nullopt;
   const ClosureSystem system(tree, resolved.base, with_type(resolved.closures, ClosureType::point));
-  const DriveOfPlatform drive(system, joints, files);
   const auto poses = closed_configurations(system, starts_of_poses, most_poses);
-  if (poses.size() < least_poses ||
-      !std::all_of(poses.begin(), poses.end(), [&](const auto& values) { return drive.is_lost(values); }))
+  if (poses.size() < least_poses || !std::all_of(poses.begin(), poses.end(), [&](const auto& values) {
+        return is_lost(system, values, joints, files);
+      }))
     return std::nullopt;
   return files.urdf + " is assembled, but singular in every pose: det A is zero to rounding in all " +
          std::to_string(poses.size()) +

@@ -5,6 +5,7 @@
 #include "urdf/corrections/edit.h"
 #include "urdf/description/name_words.h"
 #include "urdf/diagnosis/closure_gaps.h"
+#include "urdf/diagnosis/misplaced_ends.h"
 
 #include <Eigen/Geometry>
 
@@ -134,25 +135,21 @@ std::vector<std::string> reversed_axes_notes(const Tree& tree, const ResolvedCon
           joint.name + "'."};
 }
 
-std::vector<std::string> other_axes_notes(const std::shared_ptr<const Tree>& tree,
-                                          const ResolvedConfig& resolved, const SourceNames& files,
-                                          const Attempt& attempt) {
-  const std::vector<Drive> drives = drives_on_base(*tree, resolved);
-  if (drives.size() < 3 || !are_one_kind(*tree, drives)) return {};
+Notes other_axes_notes(const Subject& subject, const Attempt& attempt) {
+  const std::vector<Drive> drives = drives_on_base(subject.tree, subject.resolved);
+  if (drives.size() < 3 || !are_one_kind(subject.tree, drives)) return {};
   const std::vector<Vector3d> seen = axes_seen_from_middle(drives);
   const auto found = turned_away(seen);
   if (!found) return {};
-  const Drive& drive = drives[*found];
+  const std::size_t joint = drives[*found].joint;
   const Vector3d usual = frames_seen_from_middle(drives)[*found] * seen[*found == 0 ? 1 : 0];
-  auto changed = std::make_shared<Tree>(*tree);
-  TreeJoint& joint = changed->joints[drive.joint];
-  joint.axis = (drive.turn.transpose() * usual).normalized();
-  if (!attempt(changed, resolved)) return {};
-  return {files.urdf + " lets actuated joint '" + joint.name + "' move along another axis, " +
-          in_brackets(tree->joints[drive.joint].axis) +
-          ", than those of the other legs, seen from the middle of these; if that is not meant, write <axis "
-          "xyz=\"" +
-          as_attribute(joint.axis) + "\"/> for joint '" + joint.name + "'."};
+  const Vector3d axis = (drives[*found].turn.transpose() * usual).normalized();
+  const Edit edit = edit_of(subject,
+                            subject.files.urdf + " lets actuated " + subject.joint(joint) +
+                                " move along another axis, " + in_brackets(subject.tree.joints[joint].axis) +
+                                ", than those of the other legs, seen from the middle of these",
+                            {MotionChange{joint, subject.tree.joints[joint].motion, axis}});
+  return notes_of_working(subject, {edit}, "if that is not meant", attempt);
 }
 
 namespace {

@@ -2,10 +2,9 @@
 #ifndef PARALLEL_ASPECTS_URDF_DIAGNOSIS_LIKELY_SLIPS_H
 #define PARALLEL_ASPECTS_URDF_DIAGNOSIS_LIKELY_SLIPS_H
 
-#include "urdf/closing/resolved_config.h"
+#include "urdf/corrections/edit.h"
 #include "urdf/description/messages.h"
 #include "urdf/description/tree.h"
-#include "urdf/diagnosis/attempt.h"
 
 #include <memory>
 #include <optional>
@@ -23,9 +22,7 @@ std::vector<std::string> reversed_axes_notes(const Tree& tree, const ResolvedCon
 /// Of a robot that loads: the actuated joint on the base that alone moves along or about another direction
 /// than those of the other legs, which are alike, seen from the middle of all; where its robot with theirs
 /// loads, too.
-std::vector<std::string> other_axes_notes(const std::shared_ptr<const Tree>& tree,
-                                          const ResolvedConfig& resolved, const SourceNames& files,
-                                          const Attempt& attempt);
+Notes other_axes_notes(const Subject& subject, const Attempt& attempt);
 
 /// Of a robot that loads: that ends of closures are at a place which a like link has the other end at, a
 /// length of that one, as where the plate is fixed to the first of six pins. With the closures at the origins

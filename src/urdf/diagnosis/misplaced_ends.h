@@ -4,7 +4,6 @@
 
 #include "urdf/corrections/edit.h"
 #include "urdf/description/messages.h"
-#include "urdf/diagnosis/attempt.h"
 
 #include <string>
 

@@ -304,18 +304,4 @@ std::string note_on_mimic(const Tree& tree, const ActuationCandidate& ruled_out,
          " are the actuated joints, take out the <mimic> of these.";
 }
 
-std::string without_mimic(const std::string& urdf_text, const Tree& tree,
-                          const std::vector<std::size_t>& variables) {
-  tinyxml2::XMLDocument document;
-  document.Parse(urdf_text.data(), urdf_text.size());
-  for (auto* joint = document.RootElement()->FirstChildElement("joint"); joint != nullptr;
-       joint = joint->NextSiblingElement("joint"))
-    for (const std::size_t variable : variables)
-      if (attribute(joint, "name") == tree.joint_of(variable).name)
-        if (auto* mimic = joint->FirstChildElement("mimic")) joint->DeleteChild(mimic);
-  tinyxml2::XMLPrinter printer;
-  document.Print(&printer);
-  return printer.CStr();
-}
-
 }  // namespace parallel_aspects

@@ -74,10 +74,6 @@ std::optional<ActuationCandidate> ruled_out_by_mimic(const TakenActuation& taken
 std::string note_on_mimic(const Tree& tree, const ActuationCandidate& ruled_out,
                           const std::string& urdf_name);
 
-/// The URDF without the <mimic> of these joints.
-std::string without_mimic(const std::string& urdf_text, const Tree& tree,
-                          const std::vector<std::size_t>& variables);
-
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_SETUP_ACTUATION_CANDIDATES_H

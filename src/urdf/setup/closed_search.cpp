@@ -5,6 +5,7 @@
 #include "urdf/closing/planar_layers.h"
 #include "urdf/description/name_words.h"
 #include "urdf/load_mechanism.h"
+#include "urdf/mechanism_contents.h"
 #include "urdf/setup/actuation_candidates.h"
 #include "urdf/setup/platform_candidates.h"
 
@@ -24,22 +25,75 @@ constexpr std::size_t max_with_all_types = 2;
 // For so many platforms, and numbers of legs, a refusal looks for what would correct it.
 constexpr std::size_t max_diagnosed = 4;
 
+// Loops are closed from so many configurations until enough are found to tell their freedom.
+constexpr int max_starts = 16;
+constexpr std::size_t enough = 4;
+
+struct ClosedLoops {
+  ClosureSystem system;
+  std::vector<Eigen::VectorXd> closed;
+};
+
 struct SearchIsLate {};
+
+// What is tried, for messages that name it: no file has it.
+constexpr const char* name_of_choice = "this choice";
+
+// A place that an answer gives is a frame of its link, as the YAML has it.
+LinkFrame frame_of(const Tree& tree, LinkFrame frame) {
+  if (const auto placed = placed_frame(tree.links[frame.link])) {
+    const TreeJoint& joint = tree.joints[*tree.joint_above[frame.link]];
+    frame = {joint.parent, joint.origin * frame.in_link};
+  }
+  return frame;
+}
+
+NamedDescription named(const SetupSubject& subject, const SetupDraft& draft, const SetupClosures& closures,
+                       const SourceNames& files) {
+  const auto link_named = [&](const SetupCandidate& candidate) {
+    return *subject.tree.link_named(candidate.values.front());
+  };
+  NamedDescription description{subject.tree_read, {}, {}};
+  ResolvedConfig& resolved = description.resolved;
+  resolved.base = link_named(draft.base_link);
+  resolved.closure_dialect = closures.dialect;
+  resolved.closures = closures.all;
+  for (std::size_t k = closures.described; k < closures.all.size(); ++k) {
+    Closure& closure = resolved.closures[k];
+    closure.type = *closure_type_named(draft.closure_type);
+    for (LinkFrame& frame : closure.frames) frame = frame_of(subject.tree, frame);
+    closure.name =
+        subject.tree.links[closure.frames[0].link] + " - " + subject.tree.links[closure.frames[1].link];
+  }
+  for (const std::string& joint : draft.actuated_joints.values)
+    resolved.actuated_joints.variables.push_back(
+        *subject.tree.joints[*subject.tree.joint_named(joint)].variable);
+  const LinkFrame point = frame_of(subject.tree, {link_named(draft.operational_point)});
+  ConfiguredFrame& configured = description.config.operational_point;
+  configured = {subject.tree.links[point.link], point.in_link, "",
+                !placed_frame(draft.operational_point.values.front())};
+  Problems unused;
+  Tree tree = *subject.tree_read;
+  add_operational_point(configured, files, tree, unused);
+  resolved.actuated_joints.platform_link = *tree.link_named(configured.link);
+  if (!configured.is_link) description.tree = std::make_shared<const Tree>(std::move(tree));
+  return description;
+}
 
 class ClosedSearch {
  public:
-  ClosedSearch(const SetupSubject& subject, const std::vector<Closure>& closures,
-               const SetupCandidate& described, bool adds_closures)
+  ClosedSearch(const SetupSubject& subject, SetupClosures closures, const SetupCandidate& described)
       : subject_(subject),
         tree_(subject.tree),
         bodies_(subject.bodies),
-        closures_(closures),
-        graph_(subject.tree, subject.bodies, closures) {
+        graph_(subject.tree, subject.bodies, closures.all) {
+    result_.closures = std::move(closures);
     for (const bool joint : graph_.in_loop()) result_.joints_in_loops += joint ? 1 : 0;
     result_.draft.robot = subject.tree.name;
     result_.draft.urdf_name = subject.urdf_name;
     result_.draft.closures = described;
-    result_.draft.adds_closures = adds_closures;
+    result_.draft.adds_closures =
+        result_.closures.described > 0 && result_.closures.described < result_.closures.all.size();
   }
 
   ClosedResult find() {
@@ -49,7 +103,7 @@ class ClosedSearch {
       return result_;
     }
     const std::vector<Platform> all =
-        platform_candidates(tree_, bodies_, graph_, base_, closures_, subject_.answers);
+        platform_candidates(tree_, bodies_, graph_, base_, result_.closures.all, subject_.answers);
     const ActuationCandidate stated = stated_actuation(subject_.evidence);
     lacks_leg_ = subject_.answers.actuated_joints.empty() &&
                  lacks_a_leg(stated, tree_, bodies_, base_, graph_.in_loop());
@@ -191,8 +245,7 @@ class ClosedSearch {
     SetupDraft draft = result_.draft;
     draft.actuated_joints = described(*ruled_out);
     Problems unused;
-    if (loaded(draft, unused, without_mimic(subject_.urdf_text, tree_, ruled_out->variables)))
-      result_.notes.push_back(note_on_mimic(tree_, *ruled_out, subject_.urdf_name));
+    if (loaded(draft, unused)) result_.notes.push_back(note_on_mimic(tree_, *ruled_out, subject_.urdf_name));
   }
 
   // Links of the platform beside the one that was taken: those whose names say so as well, and where none
@@ -205,7 +258,7 @@ class ClosedSearch {
     for (const std::size_t link : platform.links) {
       const std::string& name = link_name(link);
       if (name == taken || others.size() == max_others || is_late()) continue;
-      if (is_guess ? is_closed(closures_, link) : operational_point_likeness(name) == 0) continue;
+      if (is_guess ? is_closed(result_.closures.all, link) : operational_point_likeness(name) == 0) continue;
       SetupDraft draft = result_.draft;
       draft.operational_point.values = {name};
       if (loads(draft)) others.push_back({{name}, "on the same body"});
@@ -298,7 +351,8 @@ class ClosedSearch {
   bool is_ruled_out(const std::string& type) const {
     const auto known = freedoms_.find(type);
     return known != freedoms_.end() &&
-           known->second.of(*tree_.link_named(result_.draft.operational_point.values.front())) < legs_;
+           freedom_of(known->second.system, known->second.closed,
+                      *tree_.link_named(result_.draft.operational_point.values.front())) < legs_;
   }
 
   // Where an attempt has failed, others may.
@@ -306,10 +360,11 @@ class ClosedSearch {
     const auto known = closure_type_named(type);
     if (!known || *known == ClosureType::automatic || freedoms_.count(type) > 0 || stopped()) return;
     const std::size_t base = *tree_.link_named(result_.draft.base_link.values.front());
-    std::vector<Closure> typed = with_type(closures_, *known);
+    std::vector<Closure> typed = with_type(result_.closures.all, *known);
     subject_.control.count_attempt(result_.joints_in_loops);
     join_layers(tree_, base, {subject_.urdf_name, subject_.config_name}, typed);
-    freedoms_.emplace(type, Freedom(tree_, base, std::move(typed)));
+    const ClosureSystem system({std::shared_ptr<const Tree>(), &tree_}, base, std::move(typed));
+    freedoms_.emplace(type, ClosedLoops{system, closed_configurations(system, max_starts, enough)});
   }
 
   void prefer_revolute() {
@@ -321,26 +376,8 @@ class ClosedSearch {
     result_.draft.closure_type = "spherical";
   }
 
-  // Nothing where it does not load, or not in time.
   std::shared_ptr<const Mechanism> loaded(const SetupDraft& draft, Problems& problems) const {
-    return loaded(draft, problems, subject_.urdf_text);
-  }
-  std::shared_ptr<const Mechanism> loaded(const SetupDraft& draft, Problems& problems,
-                                          const std::string& urdf_text) const {
-    LoadSearch search;
-    search.looks_for_remedies = false;
-    search.as_options = true;
-    search.checkpoint = [this] {
-      if (is_late()) throw SearchIsLate{};
-      subject_.control.count_attempt(result_.joints_in_loops);
-    };
-    try {
-      return load_mechanism(urdf_text, subject_.urdf_name, config_text(draft), name_of_choice, "", search);
-    } catch (const InvalidDescription& invalid) {
-      problems = invalid.problems();
-    } catch (const SearchIsLate&) {
-    }
-    return nullptr;
+    return tried(subject_, draft, result_.closures, result_.joints_in_loops, false, problems);
   }
 
   bool load() {
@@ -378,20 +415,43 @@ class ClosedSearch {
   const SetupSubject& subject_;
   const Tree& tree_;
   const Bodies& bodies_;
-  const std::vector<Closure>& closures_;
   BodyGraph graph_;
-  std::map<std::string, Freedom> freedoms_;  // under closures of this type
-  std::size_t base_ = 0;                     // body
-  std::size_t legs_ = 0;                     // of what is being tried
-  bool lacks_leg_ = false;                   // one with a joint that is stated to be actuated
+  std::map<std::string, ClosedLoops> freedoms_;  // under closures of this type
+  std::size_t base_ = 0;                         // body
+  std::size_t legs_ = 0;                         // of what is being tried
+  bool lacks_leg_ = false;                       // one with a joint that is stated to be actuated
   ClosedResult result_;
 };
 
 }  // namespace
 
-ClosedResult search_closed(const SetupSubject& subject, const std::vector<Closure>& closures,
-                           const SetupCandidate& described, bool adds_closures) {
-  return ClosedSearch(subject, closures, described, adds_closures).find();
+std::shared_ptr<const Mechanism> tried(const SetupSubject& subject, const SetupDraft& draft,
+                                       const SetupClosures& closures, std::size_t joints_in_loops,
+                                       bool looks_for_remedies, Problems& problems, bool* explained) {
+  LoadSearch search;
+  search.looks_for_remedies = looks_for_remedies;
+  search.as_options = true;
+  search.checkpoint = [&] {
+    if (subject.control.is_over()) throw SearchIsLate{};
+    subject.control.count_attempt(joints_in_loops);
+  };
+  const SourceNames files{subject.urdf_name, name_of_choice, true};
+  try {
+    return std::make_shared<const Mechanism>(
+        recognise_named(named(subject, draft, closures, files), files, search));
+  } catch (const ExplainedDescription& known) {
+    problems = known.problems();
+    if (explained != nullptr) *explained = true;
+  } catch (const InvalidDescription& invalid) {
+    problems = invalid.problems();
+  } catch (const SearchIsLate&) {
+  }
+  return nullptr;
+}
+
+ClosedResult search_closed(const SetupSubject& subject, SetupClosures closures,
+                           const SetupCandidate& described) {
+  return ClosedSearch(subject, std::move(closures), described).find();
 }
 
 }  // namespace parallel_aspects

@@ -7,6 +7,7 @@
 #include "urdf/setup/setup.h"
 #include "urdf/setup/setup_config.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,14 +17,21 @@ namespace parallel_aspects {
 
 /// The URDF that is looked at.
 struct SetupSubject {
-  const Tree& tree;
+  const Tree& tree;                              ///< with places of answers as links
+  const std::shared_ptr<const Tree>& tree_read;  ///< without
   const Bodies& bodies;
   const JointEvidence& evidence;
-  const std::string& urdf_text;
   const std::string& urdf_name;
   const std::string& config_name;
   const SetupAnswers& answers;
-  const SetupControl& control;
+  SetupControl control;
+};
+
+/// Closures to be tried, the first of which the URDF describes.
+struct SetupClosures {
+  std::vector<Closure> all;
+  std::size_t described = 0;
+  std::string dialect;  ///< of those
 };
 
 /// What these closures came to: a mechanism, a question, or problems.
@@ -34,18 +42,23 @@ struct ClosedResult {
   Problems problems;  ///< of what was tried first
   std::vector<SetupDraft>
       tried;  ///< first, and then for other platforms; empty where there was nothing to try
+  SetupClosures closures;
   std::vector<std::string> notes;  ///< on the actuated joints, a sentence each
   std::size_t joints_in_loops = 0;
   bool cut_short = false;
 };
 
-/// What is tried, for messages that name it: no file has it.
-inline constexpr const char* name_of_choice = "this choice";
+/// The robot that a draft makes with these closures; problems where it makes none, unless there is no time.
+/// `explained`: whether they are as `ExplainedDescription` has them.
+std::shared_ptr<const Mechanism> tried(const SetupSubject& subject, const SetupDraft& draft,
+                                       const SetupClosures& closures, std::size_t joints_in_loops,
+                                       bool looks_for_remedies, Problems& problems,
+                                       bool* explained = nullptr);
 
 /// Looks for base, platform and actuated joints with these closures, and tries them. `described` is what
 /// stands in the YAML for them: nothing where the URDF describes them.
-ClosedResult search_closed(const SetupSubject& subject, const std::vector<Closure>& closures,
-                           const SetupCandidate& described, bool adds_closures = false);
+ClosedResult search_closed(const SetupSubject& subject, SetupClosures closures,
+                           const SetupCandidate& described);
 
 }  // namespace parallel_aspects
 

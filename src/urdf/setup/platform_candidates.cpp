@@ -24,8 +24,9 @@ bool stands_out(const Tree& tree, const GraphPart& part, const std::vector<Graph
                      [&](const GraphPart& other) { return motions_of(tree, other) == motions; });
 }
 
-}  // namespace
-
+// Of the parts between base and platform, those that may be the legs: all; and all but one chain, which is
+// passive where the others move the platform: that which it hangs on in the tree, or one that is unlike the
+// others, which are alike.
 std::vector<std::vector<GraphPart>> leg_choices(const Tree& tree, const std::vector<GraphPart>& parts) {
   std::vector<std::vector<GraphPart>> choices;
   if (is_actuation_count(parts.size())) choices.push_back(parts);
@@ -38,8 +39,6 @@ std::vector<std::vector<GraphPart>> leg_choices(const Tree& tree, const std::vec
     }
   return choices;
 }
-
-namespace {
 
 // Legs of a fully parallel robot, and one passive chain besides.
 constexpr std::size_t min_parts = 2, max_parts = 7;

@@ -11,11 +11,6 @@
 
 namespace parallel_aspects {
 
-/// Of the parts between base and platform, those that may be the legs: all; and all but one chain, which is
-/// passive where the others move the platform: that which it hangs on in the tree, or one that is unlike the
-/// others, which are alike.
-std::vector<std::vector<GraphPart>> leg_choices(const Tree& tree, const std::vector<GraphPart>& parts);
-
 /// A body that may be the platform.
 struct Platform {
   std::size_t body = 0;

@@ -9,7 +9,7 @@ namespace parallel_aspects {
 
 struct Refusal {
   Problems problems;
-  bool has_remedy = false;  ///< whether they name a correction that was tried and makes a robot
+  bool is_explained = false;  ///< whether they say what makes a robot of it, or that nothing does
 };
 
 /// Why what was tried makes no robot, in the words of the options, with what would correct it where that is

@@ -44,16 +44,17 @@ constexpr std::size_t most_ends_named = 8;  // open ends of a refusal; of more i
 
 class Setup {
  public:
-  Setup(const Tree& tree, const LoopSource& source, const SetupAnswers& answers, const SetupControl& control,
-        const std::string& urdf_text)
+  Setup(const Tree& tree, const std::shared_ptr<const Tree>& tree_read, const LoopSource& source,
+        const SetupAnswers& answers, const SetupControl& control, const std::string& urdf_text)
       : tree_(tree),
         source_(source),
         answers_(answers),
         control_(control),
         bodies_(tree),
         evidence_(find_joint_evidence(source)),
-        subject_{tree,     bodies_, evidence_, urdf_text, source.files.urdf, source.files.config,
-                 answers_, control} {
+        subject_{tree,     tree_read, bodies_, evidence_, source.files.urdf, source.files.config,
+                 answers_, control},
+        urdf_text_(urdf_text) {
     result_.robot = tree.name;
     note_unknown_joints();
   }
@@ -62,7 +63,7 @@ class Setup {
     check_answers();
     if (!result_.problems.empty()) return result_;
     const FoundLoops described = find_described_loops(source_, result_.problems);
-    if (!answers_.closures.empty()) return asked_closures(described.loops.closures);
+    if (!answers_.closures.empty()) return asked_closures(described);
     if (!result_.problems.empty()) return result_;
     if (!described.loops.closures.empty()) {
       described_closures(described);
@@ -149,19 +150,25 @@ class Setup {
     }
     if (result_.question) return;
     result_.config = config_text(draft);
-    result_.mechanism =
-        load_mechanism(subject_.urdf_text, subject_.urdf_name, result_.config, subject_.config_name);
+    try {
+      result_.mechanism =
+          load_mechanism(urdf_text_, subject_.urdf_name, result_.config, subject_.config_name);
+    } catch (
+        const InvalidDescription& invalid) {  // as of places far away, which are checked where they are read
+      result_.problems = invalid.problems();
+      return;
+    }
     for (const Note& note : result_.mechanism->notes_in_pieces())
       if (note.has(Note::Piece::Kind::closures)) draft.closure_notes.push_back(note);
     draft.home = result_.mechanism->home().pose;
     result_.config = config_text(draft);
   }
 
-  // Whether a correction was found that makes a robot.
+  // Whether it is known why.
   bool refuse(const ClosedResult& found) {
     const Refusal refusal = refusal_of(subject_, found);
     result_.problems = refusal.problems;
-    return refusal.has_remedy;
+    return refusal.is_explained;
   }
 
   // Where more joints are stated to be actuated than a robot has; the loader says what it leaves out.
@@ -181,19 +188,23 @@ class Setup {
     return closures;
   }
 
-  // By half of the work, so that the other half is for what would correct them.
+  // By half of the work, so that the other half is for why they make no robot.
+  ClosedResult search_by_half(SetupClosures closures, const SetupCandidate& described) const {
+    SetupSubject subject = subject_;
+    subject.control.work -= (control_.work - std::min(control_.work, *control_.done)) / 2;
+    return search_closed(subject, std::move(closures), described);
+  }
+
   void described_closures(const FoundLoops& loops) {
-    SetupControl control = control_;
-    control.work -= (control_.work - std::min(control_.work, *control_.done)) / 2;
-    const SetupSubject subject{
-        tree_,    bodies_, evidence_, subject_.urdf_text, subject_.urdf_name, subject_.config_name,
-        answers_, control};
-    take(search_closed(subject, without_idle_chains(loops.loops.closures),
-                       {{}, "the URDF describes them by " + std::string(loops.dialect)}));
+    SetupClosures closures{without_idle_chains(loops.loops.closures), 0, std::string(loops.dialect)};
+    closures.described = closures.all.size();
+    take(search_by_half(std::move(closures),
+                        {{}, "the URDF describes them by " + std::string(loops.dialect)}));
   }
 
   // Beside those that the URDF describes, or in their place.
-  SetupResult asked_closures(const std::vector<Closure>& in_urdf) {
+  SetupResult asked_closures(const FoundLoops& described_loops) {
+    const std::vector<Closure>& in_urdf = described_loops.loops.closures;
     result_.problems.clear();
     Pairing asked{{}, "as asked for"};
     for (const auto& [one, other] : answers_.closures)
@@ -207,11 +218,12 @@ class Setup {
       return result_;
     }
     const bool adds = replaced == 0 && !in_urdf.empty();
-    std::vector<Closure> closures = adds ? in_urdf : std::vector<Closure>{};
-    closures.insert(closures.end(), added.begin(), added.end());
+    SetupClosures closures;
+    if (adds) closures = {in_urdf, in_urdf.size(), std::string(described_loops.dialect)};
+    closures.all.insert(closures.all.end(), added.begin(), added.end());
     SetupCandidate candidate = described(asked);
     if (adds) candidate.reason += ", beside those that the URDF describes";
-    take(search_closed(subject_, closures, candidate, adds));
+    take(search_closed(subject_, std::move(closures), candidate));
     return result_;
   }
 
@@ -244,7 +256,7 @@ class Setup {
       if (have_no_tip_frames(ends)) break;
       if (try_equals(equals, ends, first)) return result_;
       if (&equals == &ends.pairings.front() && equals.size() == 1 && ends_without_tip_frame(ends).empty() &&
-          !ends.may_have_finger && corrects(*first, ends))
+          !ends.may_have_finger && explains(*first, ends))
         return result_;
       if (result_.cut_short || !ends_without_tip_frame(ends).empty()) break;
     }
@@ -256,9 +268,9 @@ class Setup {
     return result_;
   }
 
-  // Whether the ends that most speaks for make a robot once one element is corrected: then that is at fault,
-  // and not which ends meet.
-  bool corrects(const ClosedResult& first, const OpenEnds& ends) {
+  // Whether the ends that most speaks for make a robot once one element is edited, or none whatever is: then
+  // that is at fault, and not which ends meet.
+  bool explains(const ClosedResult& first, const OpenEnds& ends) {
     if (first.problems.empty() || first.tried.empty()) return false;
     SetupResult before = result_;
     if (refuse_ends(first, ends)) return true;
@@ -267,7 +279,7 @@ class Setup {
   }
 
   bool refuse_ends(const ClosedResult& first, const OpenEnds& ends) {
-    const bool has_remedy = refuse(first);
+    const bool is_explained = refuse(first);
     std::string names = std::to_string(ends.links.size()) + " open ends";
     if (ends.links.size() <= most_ends_named) {
       names = "open ends ";
@@ -276,7 +288,7 @@ class Setup {
     }
     result_.problems.back() += " If others of the " + names +
                                " meet, name them with --closures; those that are in no loop are left out.";
-    return has_remedy;
+    return is_explained;
   }
 
   // Links that what was tried first holds at their own joint; with them, those that several chains end at.
@@ -325,7 +337,8 @@ class Setup {
     bool cut_short = ends.cut_short && &equals == &ends.pairings.back();
     for (const Pairing& pairing : equals) {
       const SetupCandidate candidate = described(pairing);
-      ClosedResult closed = search_closed(subject_, closures_of(tree_, pairing), candidate);
+      ClosedResult closed = first ? search_closed(subject_, {closures_of(tree_, pairing), 0, ""}, candidate)
+                                  : search_by_half({closures_of(tree_, pairing), 0, ""}, candidate);
       cut_short = cut_short || closed.cut_short;
       if (!first) first = closed;
       if (!closed.mechanism && !closed.cut_short) refused_.insert(&pairing);
@@ -398,6 +411,7 @@ class Setup {
   Bodies bodies_;
   JointEvidence evidence_;
   SetupSubject subject_;
+  const std::string& urdf_text_;
   std::set<const Pairing*> refused_;  // of the open ends
   SetupResult result_;
 };
@@ -419,13 +433,14 @@ SetupResult set_up(const std::string& urdf_text, const std::string& urdf_name, c
   Notes notes;
   auto tree = read_tree(urdf_text, urdf_name, refused.problems, notes);
   if (!tree) return refused;
+  const auto tree_read = std::make_shared<const Tree>(*tree);
   add_frames(answers, *tree);
   tinyxml2::XMLDocument document;
   document.Parse(urdf_text.data(), urdf_text.size());
   const YAML::Node no_config(YAML::NodeType::Map);
   const SourceNames files{urdf_name, config_name};
   const LoopSource source{*document.FirstChildElement("robot"), no_config, *tree, files};
-  SetupResult found = Setup(*tree, source, answers, control, urdf_text).find();
+  SetupResult found = Setup(*tree, tree_read, source, answers, control, urdf_text).find();
   if (answers.closures.empty() && answers.base_link.empty()) {
     SetupAnswers with_leg = answers;
     with_leg.closures = ends_on_root(*tree, Bodies(*tree), found);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <regex>
 #include <sstream>
 
@@ -316,6 +317,35 @@ std::vector<std::string> listed(const std::string& text) {
 
 std::vector<FaultyRobot> faulty_robots(const std::string& robot) { return Faults(robot).all(); }
 
+std::vector<FaultyRobot> robots_with_like_faults(const std::string& robot) {
+  const Description good = shipped_text(robot);
+  XMLDocument document;
+  document.Parse(good.urdf.c_str());
+  std::map<std::string, std::vector<std::string>> likes;  // by type, axis and name without numbers
+  for (XMLElement* joint = document.RootElement()->FirstChildElement("joint"); joint != nullptr;
+       joint = joint->NextSiblingElement("joint"))
+    if (const XMLElement* axis = joint->FirstChildElement("axis"))
+      likes[std::string(joint->Attribute("type")) + axis->Attribute("xyz") +
+            std::regex_replace(std::string(joint->Attribute("name")), std::regex("[0-9]"), "#")]
+          .emplace_back(joint->Attribute("name"));
+  std::vector<FaultyRobot> found;
+  const auto add = [&](const std::string& kind, const std::vector<std::string>& joints,
+                       const std::function<void(XMLElement*)>& change) {
+    FaultyRobot faulty{kind, joints.front(), good};
+    for (const std::string& joint : joints) faulty.text.urdf = changed_joint(faulty.text.urdf, joint, change);
+    if (joints.size() > 1) found.push_back(faulty);
+  };
+  for (const auto& [key, joints] : likes) {
+    for (const char* axis : {"1 0 0", "0 1 0", "0 0 1"})
+      if (key.find(axis) == std::string::npos)
+        add("axes", joints, [&](XMLElement* joint) { child(joint, "axis")->SetAttribute("xyz", axis); });
+    for (const char* type : {"continuous", "prismatic", "fixed"})
+      if (key.find(type) != 0)
+        add("types", joints, [&](XMLElement* joint) { joint->SetAttribute("type", type); });
+  }
+  return found;
+}
+
 std::vector<std::string> remedies(const std::string& message) {
   const std::regex remedy(
       "write ((type=\"[^\"]+\")?( and )?(<axis xyz=\"[^\"]+\"/>)? for joint '[^']+'"
@@ -324,7 +354,7 @@ std::vector<std::string> remedies(const std::string& message) {
       "|<parent link=\"[^\"]+\"/> for joint '[^']+'|link '[^']+' in the place of '[^']+' in closure '[^']+'"
       "|(operational_point|base_link): \\w+( and actuated_joints: \\[[^\\]]+\\])?"
       "|actuated_joints: \\[[^\\]]+\\])|add \\{frames: \\[[^\\]]+\\], type: \\w+\\} to "
-      "mechanism.closures|leave out one entry of closure '[^']+'|add <link name=\"[^\"]+\"/><joint "
+      "mechanism.closures|add <link name=\"[^\"]+\"/><joint "
       ".*?</joint>");
   std::vector<std::string> found;
   for (std::sregex_iterator at(message.begin(), message.end(), remedy), end; at != end; ++at)
@@ -348,17 +378,6 @@ Description corrected(Description text, const std::string& remedy) {
     text.config = printed(yaml);
   } else if (remedy.find("in the origin") != std::string::npos) {
     text.urdf = with_origin(text.urdf, remedy);
-  } else if (remedy.find("leave out") == 0) {
-    const std::string name = quoted(remedy, "closure '([^']+)'");
-    bool left_out = false;
-    YAML::Node kept;
-    for (const YAML::Node& closure : yaml["mechanism"]["closures"]) {
-      if (closure_name(closure) != name || left_out) kept.push_back(closure);
-      left_out = left_out || closure_name(closure) == name;
-    }
-    YAML::Node mechanism = yaml["mechanism"];
-    mechanism["closures"] = kept;
-    text.config = printed(yaml);
   } else if (remedy.find("closure") != std::string::npos) {
     closure_named(yaml, quoted(remedy, "closure '([^']+)'"))["type"] = quoted(remedy, "type: (\\w+)");
     text.config = printed(yaml);

@@ -18,6 +18,9 @@ struct FaultyRobot {
 /// A shipped robot with each of the faults that people make, one at a time.
 std::vector<FaultyRobot> faulty_robots(const std::string& robot);
 
+/// The same with the fault in all legs at once: of joints whose names differ in numbers alone.
+std::vector<FaultyRobot> robots_with_like_faults(const std::string& robot);
+
 /// The remedies of a message: "write ... for joint 'a'".
 std::vector<std::string> remedies(const std::string& message);
 

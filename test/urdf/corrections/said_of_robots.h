@@ -8,6 +8,7 @@
 
 #include "support/descriptions.h"
 #include <algorithm>
+#include <cmath>
 #include <regex>
 #include <string>
 #include <vector>
@@ -52,6 +53,19 @@ inline std::string only_doubt(const Description& robot) {
 inline std::string matched(const std::string& text, const std::string& pattern) {
   std::smatch found;
   return std::regex_search(text, found, std::regex(pattern)) ? found[1].str() : "";
+}
+
+/// Whether both make the same legs.
+inline bool are_same(const Description& one, const Description& other) {
+  constexpr double rounding = 1e-6;
+  const auto a = test::load(one)->manipulator(), b = test::load(other)->manipulator();
+  if (a->task_space() != b->task_space() || a->leg_count() != b->leg_count()) return false;
+  for (std::size_t k = 0; k < a->leg_count(); ++k)
+    if ((a->leg(k).anchor - b->leg(k).anchor).norm() > rounding ||
+        std::abs(a->leg(k).rod_length - b->leg(k).rod_length) > rounding ||
+        (a->leg(k).base_point() - b->leg(k).base_point()).norm() > rounding)
+      return false;
+  return true;
 }
 
 /// Each of two words in the place of the other, where both stand once.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/corrections/faulty_robots.h"
+#include "urdf/corrections/said_of_robots.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@
 namespace parallel_aspects {
 namespace {
 
+using test::are_same;
 using test::Description;
 using test::FaultyRobot;
 
@@ -82,6 +84,31 @@ TEST_P(CorrectionSearch, NamesWhatIsAtFault) {
   }
   print(GetParam(), table);
   std::cout << "slowest " << slowest << " s of processor time\n";
+}
+
+// Whoever makes a mistake makes it in each leg: what is offered makes the robot that is meant, or one of
+// several does, or it is refused without a remedy.
+TEST_P(CorrectionSearch, NamesWhatIsAtFaultInAllLegs) {
+  std::map<std::string, Counts> table;
+  const Description meant = test::shipped_text(GetParam());
+  const std::vector<FaultyRobot> robots = test::robots_with_like_faults(GetParam());
+  for (std::size_t k = 0; k < robots.size(); k += test::is_sanitized ? 7 : 1) {
+    const FaultyRobot& robot = robots[k];
+    const Problems problems = test::refusal(robot.text.urdf, robot.text.config);
+    std::string said;
+    for (const std::string& problem : problems) said += problem + "\n";
+    const std::vector<Description> corrected = test::followed(robot.text, said);
+    Outcome found = problems.empty() ? loaded : corrected.empty() ? not_found : wrong;
+    if (std::all_of(corrected.begin(), corrected.end(), loads) &&
+        std::any_of(corrected.begin(), corrected.end(),
+                    [&](const Description& one) { return are_same(one, meant); }))
+      found = corrected.size() == 1 ? named : listed;
+    ++table[robot.kind][found];
+    if (std::getenv("CORRECTIONS_VERBOSE") != nullptr)
+      std::cout << "OUT " << found << ' ' << robot.kind << ' ' << robot.element << ": " << said << std::endl;
+    EXPECT_NE(found, wrong) << robot.kind << " of " << robot.element << ": " << said;
+  }
+  print(GetParam(), table);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, CorrectionSearch,

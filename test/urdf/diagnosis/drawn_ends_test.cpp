@@ -17,24 +17,13 @@
 namespace parallel_aspects {
 namespace {
 
+using test::are_same;
 using test::Description;
 using test::doubts;
 using test::exchanged;
 using test::matched;
 using test::only_doubt;
 using test::replaced;
-
-bool are_same(const Description& one, const Description& other) {
-  constexpr double rounding = 1e-6;
-  const auto a = test::load(one)->manipulator(), b = test::load(other)->manipulator();
-  if (a->task_space() != b->task_space() || a->leg_count() != b->leg_count()) return false;
-  for (std::size_t k = 0; k < a->leg_count(); ++k)
-    if ((a->leg(k).anchor - b->leg(k).anchor).norm() > rounding ||
-        std::abs(a->leg(k).rod_length - b->leg(k).rod_length) > rounding ||
-        (a->leg(k).base_point() - b->leg(k).base_point()).norm() > rounding)
-      return false;
-  return true;
-}
 
 // The closures of the YAML are one to a line.
 Description with_list(Description text, const std::string& entry) {

@@ -44,6 +44,19 @@ std::string note_with(const Mechanism& mechanism, const std::string& words) {
   return "";
 }
 
+// With the work of the command, whose answer depends on nothing else; no other order of its ends is offered.
+TEST(Setup, SaysThatARobotIsSingularInEveryPose) {
+  const SetupResult result = set_up(test::source_file("test/data/culprits/singular_hexapod.urdf"),
+                                    "robot.urdf", "robot.yaml", {}, SetupControl{25000});
+  EXPECT_FALSE(result.question);
+  ASSERT_EQ(result.problems.size(), 1U);
+  EXPECT_NE(
+      result.problems.front().find("robot.urdf is assembled, but singular in every pose: det A is zero"),
+      std::string::npos)
+      << result.problems.front();
+  EXPECT_EQ(result.problems.front().find("corner_3=piston_2"), std::string::npos) << result.problems.front();
+}
+
 // Of rods and corners without links, in one question.
 TEST(Setup, AsksAtOnceForAllPlacesThatHaveNoLink) {
   const std::string blunt = urdf_of("blunt_three_rrr");
