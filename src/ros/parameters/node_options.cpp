@@ -153,6 +153,12 @@ void check_start(const StartOptions& start, const Manipulator& manipulator, Chec
 
 bool within(double value, double lowest, double highest) { return value >= lowest && value <= highest; }
 
+void check_display(const DisplayOptions& display, const std::string& group, Checks& checks) {
+  checks.require(within(display.gallery_scale, 0.01, 10.0), group + "gallery_scale", "must be 0.01 to 10.");
+  checks.require(positive(display.radius), group + "radius", "must be a positive number [m].");
+  checks.require(within(display.rate, 0.1, 100.0), group + "rate", "must be 0.1 to 100 [Hz].");
+}
+
 void check_thresholds(const ThresholdParameters& given, const std::string& group, Checks& checks) {
   const auto check = [&](const std::string& key, double warn, double stop) {
     checks.require(within(warn, 0.0, 1e6), group + key + "_warn",
@@ -227,6 +233,12 @@ Problems problems_of(const ThresholdParameters& thresholds, const std::string& p
   return checks.take();
 }
 
+Problems problems_of(const DisplayOptions& display, const std::string& prefix) {
+  Checks checks(prefix);
+  check_display(display, "", checks);
+  return checks.take();
+}
+
 Problems problems_of(const MapOptions& options, const Manipulator& manipulator, const std::string& prefix) {
   Checks checks(prefix);
   check_map(options, manipulator, checks, "");
@@ -253,10 +265,7 @@ Problems problems_of(const NodeOptions& options, const Manipulator& manipulator,
   checks.require(within(options.state_decimation, 1, 10000), "state/decimation", "must be 1 to 10000.");
   checks.require(within(options.completed_decimation, 1, 10000), "completed/decimation",
                  "must be 1 to 10000.");
-  checks.require(within(options.display.gallery_scale, 0.01, 10.0), "display/gallery_scale",
-                 "must be 0.01 to 10.");
-  checks.require(positive(options.display.radius), "display/radius", "must be a positive number [m].");
-  checks.require(within(options.display.rate, 0.1, 100.0), "display/rate", "must be 0.1 to 100 [Hz].");
+  check_display(options.display, "display/", checks);
   checks.require(within(options.probe.rate, 0.1, 100.0), "probe/rate", "must be 0.1 to 100 [Hz].");
   checks.require(within(options.uniqueness.hold, 0.0, 60.0), "uniqueness/hold", "must be 0 to 60 [s].");
   checks.require(within(options.uniqueness.most_cells.value_or(1000), 1000, 100000000),

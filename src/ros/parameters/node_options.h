@@ -105,6 +105,9 @@ Problems problems_of(const MapOptions& options, const Manipulator& manipulator, 
 /// Everything wrong with thresholds; messages that name parameters below `prefix`.
 Problems problems_of(const ThresholdParameters& thresholds, const std::string& prefix);
 
+/// The same of what is drawn.
+Problems problems_of(const DisplayOptions& display, const std::string& prefix);
+
 /// Everything wrong with the options for this manipulator; messages that name parameters below `prefix`,
 /// which ends in a slash. Empty when all is well.
 Problems problems_of(const NodeOptions& options, const Manipulator& manipulator, const std::string& prefix);

@@ -75,32 +75,31 @@ void Reconfiguration::change(ThresholdsConfig& config) {
   if (!std::exchange(thresholds_started_, true)) return fill(thresholds_, config);
   const ThresholdParameters wanted = parameters_of(config);
   if (same(wanted, thresholds_)) return;
-  const Problems problems =
-      read_only_ ? Problems{"the node is read_only."} : problems_of(wanted, "thresholds/");
-  for (const std::string& problem : problems) ROS_WARN_STREAM("Not changed: " << problem);
-  if (!problems.empty()) return fill(thresholds_, config);
+  if (is_refused(problems_of(wanted, "thresholds/"))) return fill(thresholds_, config);
   thresholds_ = wanted;
   on_thresholds_(wanted);
 }
 
-// Ranges are kept by the server, but it lets through what is not a number.
 void Reconfiguration::change(DisplayConfig& config) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!std::exchange(display_started_, true)) return fill(display_, config);
-  const bool differs = config.gallery != display_.gallery || config.gallery_scale != display_.gallery_scale ||
-                       config.rate != display_.rate;
-  if (!differs) return;
-  const bool numbers = std::isfinite(config.gallery_scale) && std::isfinite(config.rate);
-  if (!numbers || read_only_) {
-    ROS_WARN_STREAM("Not changed: " << (read_only_
-                                            ? "the node is read_only."
-                                            : "display/gallery_scale and display/rate must be numbers."));
-    return fill(display_, config);
-  }
-  display_.gallery = config.gallery;
-  display_.gallery_scale = config.gallery_scale;
-  display_.rate = config.rate;
-  on_display_(display_);
+  DisplayOptions wanted = display_;
+  wanted.gallery = config.gallery;
+  wanted.gallery_scale = config.gallery_scale;
+  wanted.rate = config.rate;
+  if (wanted.gallery == display_.gallery && wanted.gallery_scale == display_.gallery_scale &&
+      wanted.rate == display_.rate)
+    return;
+  if (is_refused(problems_of(wanted, "display/"))) return fill(display_, config);
+  display_ = wanted;
+  on_display_(wanted);
+}
+
+// With a warning for each problem.
+bool Reconfiguration::is_refused(const Problems& found) const {
+  const Problems problems = read_only_ ? Problems{"the node is read_only."} : found;
+  for (const std::string& problem : problems) ROS_WARN_STREAM("Not changed: " << problem);
+  return !problems.empty();
 }
 
 }  // namespace parallel_aspects

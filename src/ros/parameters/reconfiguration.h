@@ -34,6 +34,7 @@ class Reconfiguration {
  private:
   void change(ThresholdsConfig& config);
   void change(DisplayConfig& config);
+  bool is_refused(const Problems& found) const;
 
   const bool read_only_;
   mutable std::mutex mutex_;  // of those that follow, up to the functions

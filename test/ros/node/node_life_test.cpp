@@ -277,6 +277,26 @@ TEST_F(NodeLife, ThresholdsChangeWhileItRuns) {
   EXPECT_TRUE(eventually([&] { return level() == AspectState::STOP; }));
 }
 
+// The server itself would move it to the end of its range, in silence.
+TEST_F(NodeLife, ADisplayThatMakesNoSenseIsRefused) {
+  start();
+  const std::string name = node_ + "/display/set_parameters";
+  ASSERT_TRUE(ros::service::waitForService(name, ros::Duration(test::deadline)));
+  const auto change = [&](double rate) {
+    dynamic_reconfigure::Reconfigure service;
+    service.request.config.doubles.resize(1);
+    service.request.config.doubles[0].name = "rate";
+    service.request.config.doubles[0].value = rate;
+    EXPECT_TRUE(ros::service::call(name, service));
+    for (const auto& parameter : service.response.config.doubles)
+      if (parameter.name == "rate") return parameter.value;
+    return std::nan("");
+  };
+  EXPECT_EQ(change(1e6), 20.0);
+  EXPECT_EQ(change(5.0), 5.0);
+  for (const double wrong : {0.0, std::nan(""), 1e300}) EXPECT_EQ(change(wrong), 5.0) << wrong;
+}
+
 TEST_F(NodeLife, ReadOnlyRefusesWhateverChangesIt) {
   set("read_only", true);
   start();
