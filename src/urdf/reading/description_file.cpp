@@ -3,6 +3,7 @@
 
 #include "urdf/description/messages.h"
 #include "urdf/description/text_file.h"
+#include "urdf/reading/console_capture.h"
 #include "urdf/reading/graph_text.h"
 #include "urdf/reading/robot_graph.h"
 
@@ -91,7 +92,10 @@ std::optional<std::string> read_graph(const std::string& format, const std::stri
     return std::nullopt;
   }
   RobotGraph graph;
-  read(file, graph);
+  {
+    const ConsoleCapture console;  // sdformat tries as URDF what it refuses as SDF
+    read(file, graph);
+  }
   std::string urdf = graph.problems.empty() ? urdf_text(graph, file) : std::string();
   problems.insert(problems.end(), graph.problems.begin(), graph.problems.end());
   if (!graph.problems.empty()) return std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/reading/tree_reader.h"
 
+#include "urdf/reading/console_capture.h"
 #include "urdf/reading/urdf_inspection.h"
 
 #include <boost/locale/encoding_utf.hpp>
@@ -8,7 +9,6 @@
 
 #include <array>
 #include <cmath>
-#include <console_bridge/console.h>
 #include <cstddef>
 #include <exception>
 #include <unordered_map>
@@ -87,21 +87,6 @@ std::optional<std::string> from_latin_1(const std::string& text) {
 }
 
 namespace {
-
-// Keeps what urdfdom would print.
-class ConsoleCapture : public console_bridge::OutputHandler {
- public:
-  ConsoleCapture() { console_bridge::useOutputHandler(this); }
-  ~ConsoleCapture() override { console_bridge::restorePreviousOutputHandler(); }
-  ConsoleCapture(const ConsoleCapture&) = delete;
-  ConsoleCapture& operator=(const ConsoleCapture&) = delete;
-
-  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first_error.empty()) first_error = text;
-  }
-
-  std::string first_error;
-};
 
 Eigen::Isometry3d isometry(const urdf::Pose& pose) {
   Eigen::Quaterniond rotation;
