@@ -155,10 +155,11 @@ class GraphBuilder {
     }
   }
 
+  // Those of the models inside come first, so that joints between these close the loops.
   void add_joints(const sdf::Model& model, const std::string& scope) {
-    for (std::uint64_t k = 0; k < model.JointCount(); ++k) add_joint(*model.JointByIndex(k), scope);
     for (std::uint64_t k = 0; k < model.ModelCount(); ++k)
       add_joints(*model.ModelByIndex(k), scope + model.ModelByIndex(k)->Name() + "::");
+    for (std::uint64_t k = 0; k < model.JointCount(); ++k) add_joint(*model.JointByIndex(k), scope);
   }
 
   std::optional<std::size_t> body_named(const std::string& name, const std::string& scope) const {
@@ -253,9 +254,23 @@ std::string text_of(const sdf::Error& error) {
   return text;
 }
 
+// Graphs cannot be built as a consequence of what another error says.
+bool follows_from_others(const sdf::Error& error) {
+  return error.Message().rfind("PoseRelativeToGraph", 0) == 0 ||
+         error.Message().rfind("FrameAttachedToGraph", 0) == 0;
+}
+
+const char* remedy(const sdf::Error& error) {
+  return error.Code() == sdf::ErrorCode::URI_LOOKUP
+             ? "; put that model beside the file, or name its folder in SDF_PATH."
+             : "; correct it there.";
+}
+
 void add_errors(const sdf::Errors& errors, const std::string& file, Problems& problems) {
+  const bool has_cause = !std::all_of(errors.begin(), errors.end(), follows_from_others);
   for (const sdf::Error& error : errors) {
-    const std::string text = file + " is refused by sdformat: " + text_of(error) + "; correct it there.";
+    if (has_cause && follows_from_others(error)) continue;
+    const std::string text = file + " is refused by sdformat: " + text_of(error) + remedy(error);
     if (problems.size() < max_problems && std::find(problems.begin(), problems.end(), text) == problems.end())
       problems.push_back(text);
   }
