@@ -256,7 +256,8 @@ std::string text_of(const sdf::Error& error) {
 
 // Graphs cannot be built as a consequence of what another error says.
 bool follows_from_others(const sdf::Error& error) {
-  return error.Message().rfind("PoseRelativeToGraph", 0) == 0 ||
+  return error.Code() == sdf::ErrorCode::POSE_RELATIVE_TO_GRAPH_ERROR ||
+         error.Code() == sdf::ErrorCode::FRAME_ATTACHED_TO_GRAPH_ERROR ||
          error.Message().rfind("FrameAttachedToGraph", 0) == 0;
 }
 
