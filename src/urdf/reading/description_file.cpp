@@ -46,28 +46,35 @@ std::optional<std::string> graph_format(const std::string& text) {
   return std::nullopt;
 }
 
-// Beside the library or program that holds this code, or in the library folder next to that; else where the
-// system looks for libraries.
+// Of the library or program that holds this code; empty where it is not known. A program may be called by a
+// name that is no path.
+fs::path own_folder() {
+  Dl_info here{};
+  std::error_code error;
+  if (dladdr(reinterpret_cast<const void*>(&read_description_file), &here) == 0) return {};
+  const fs::path file = here.dli_fname;
+  const fs::path whole = fs::canonical(file.has_parent_path() ? file : fs::path("/proc/self/exe"), error);
+  return error ? fs::path() : whole.parent_path();
+}
+
+// Beside that, or in the library folder next to it; else where the system looks for libraries.
 std::vector<std::string> places_of(const std::string& library) {
   std::vector<std::string> places;
-  Dl_info here{};
-  if (dladdr(reinterpret_cast<const void*>(&read_description_file), &here) != 0 &&
-      here.dli_fname != nullptr) {
-    std::error_code error;
-    const fs::path folder = fs::canonical(here.dli_fname, error).parent_path();
-    for (const fs::path& place : {folder, folder / ".." / "lib", folder / ".."}) {
+  std::error_code error;
+  if (const fs::path folder = own_folder(); !folder.empty())
+    for (const fs::path& place : {folder, folder / ".." / "lib", folder / ".."})
       if (fs::exists(place / library, error)) places.push_back((place / library).string());
-    }
-  }
   places.push_back(library);
   return places;
 }
 
-// Stays loaded, as what it reads with may have threads. Null where it was not built.
-ReadRobotGraph loaded_reader(const std::string& format) {
+// Stays loaded, as what it reads with may have threads. Null where it was not built, or cannot be loaded for
+// this `fault`.
+ReadRobotGraph loaded_reader(const std::string& format, std::string& fault) {
   const std::string library = "libparallel_aspects_" + lower_case(format) + ".so";
   for (const std::string& place : places_of(library)) {
     void* handle = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (handle == nullptr && place != library) fault = dlerror();
     if (handle == nullptr) continue;
     if (void* function = dlsym(handle, read_robot_graph_symbol))
       return reinterpret_cast<ReadRobotGraph>(function);
@@ -85,10 +92,15 @@ std::optional<std::string> read_graph(const std::string& format, const std::stri
                        "); correct it there.");
     return std::nullopt;
   }
-  const ReadRobotGraph read = loaded_reader(format);
+  std::string fault;
+  const ReadRobotGraph read = loaded_reader(format, fault);
   if (read == nullptr) {
-    problems.push_back(file + " is in " + format + ", and this program was built without " + format +
-                       "; build it with -DPARALLEL_ASPECTS_" + format + "=ON, or give a URDF.");
+    problems.push_back(
+        file + " is in " + format +
+        (fault.empty()
+             ? ", and this program was built without " + format + "; build it with -DPARALLEL_ASPECTS_" +
+                   format + "=ON, or give a URDF."
+             : ", whose reader cannot be loaded (" + fault + "); install what it names, or give a URDF."));
     return std::nullopt;
   }
   RobotGraph graph;
