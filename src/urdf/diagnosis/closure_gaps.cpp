@@ -31,8 +31,6 @@ namespace {
 
 constexpr double small_gap = 1e-4;  // of the size of the robot
 
-std::string number(double value) { return number_text(value, 4); }
-
 // The last of several joints in one place makes a ball joint.
 bool is_last_of_ball(const Tree& tree, const TreeJoint& joint) {
   const auto before = tree.joint_above[joint.parent];
@@ -238,17 +236,17 @@ std::optional<std::string> list_of_ends(const std::shared_ptr<const Tree>& tree,
              : closures_entry(*tree, listed.closures).text() + " under mechanism in " + files.config;
 }
 
+std::string gap_text(const Tree& tree, const Closure& closure, double gap) {
+  return "'" + tree.links[closure.frames[0].link] + "' and '" + tree.links[closure.frames[1].link] + "' by " +
+         number_text(gap, 4) + " m (closure '" + closure.name + "')";
+}
+
 std::string end_gaps_text(const Tree& tree, const ResolvedConfig& resolved) {
   const std::vector<double> gaps = end_gaps(tree, resolved.closures);
   const double meet = meeting_tolerance(tree, resolved);
   std::string text;
-  for (std::size_t k = 0; k < gaps.size(); ++k) {
-    if (gaps[k] <= meet) continue;
-    const Closure& closure = resolved.closures[k];
-    text += (text.empty() ? "'" : ", '") + tree.links[closure.frames[0].link] + "' and '" +
-            tree.links[closure.frames[1].link] + "' by " + number(gaps[k]) + " m (closure '" + closure.name +
-            "')";
-  }
+  for (std::size_t k = 0; k < gaps.size(); ++k)
+    if (gaps[k] > meet) text += (text.empty() ? "" : ", ") + gap_text(tree, resolved.closures[k], gaps[k]);
   return text;
 }
 

@@ -78,7 +78,8 @@ std::optional<std::string> list_of_ends(const std::shared_ptr<const Tree>& tree,
                                         const ResolvedConfig& resolved, const SourceNames& files,
                                         const Attempt& attempt);
 
-/// "'a' and 'b' by 0.05 m (closure 'c')" of all ends that are apart.
+/// "'a' and 'b' by 0.05 m (closure 'c')", and that of all ends that are apart.
+std::string gap_text(const Tree& tree, const Closure& closure, double gap);
 std::string end_gaps_text(const Tree& tree, const ResolvedConfig& resolved);
 
 /// "; give ..." for ends that are apart at the start of a link, where its joint is, and may be meant at its

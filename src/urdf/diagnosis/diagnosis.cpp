@@ -8,6 +8,7 @@
 #include "urdf/diagnosis/misplaced_ends.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -15,7 +16,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int starts_without_limits = 12;
+constexpr int starts_without_limits = 12;  // as the space is wider then than that of other searches
 
 // Edits that cost the same; those that doubt least of the description come first.
 enum class Cost {
@@ -37,7 +38,6 @@ enum class Cost {
   like_legs,          // the same of a joint in all legs
   types,              // of like closures
 };
-constexpr auto costliest = Cost::types;
 
 void append(Edits& all, Edits more) { std::move(more.begin(), more.end(), std::back_inserter(all)); }
 
@@ -101,12 +101,9 @@ class Search {
   // What is true of the robot rules out what is only possible.
   std::optional<Diagnosis> run() {
     const auto singular = singular_everywhere(s_.shared_tree, s_.resolved, s_.files);
-    for (int cost = 0; cost <= static_cast<int>(costliest); ++cost) {
-      const auto at = static_cast<Cost>(cost);
-      if (singular && at != Cost::like_others && at != Cost::fitting_axes) continue;
-      for (const Edits& kind : edits_at(at))
-        if (search_.try_all(kind)) return diagnosis(at);
-    }
+    for (const Source& source : sources())
+      if (!singular || source.cost == Cost::like_others || source.cost == Cost::fitting_axes)
+        if (auto found = of(source)) return found;
     if (singular) return Diagnosis{{*singular}, Diagnosis::Kind::fact};
     if (const auto held =
             chain_that_holds_too_much(s_.system, values(), s_.resolved.actuated_joints, s_.files))
@@ -117,57 +114,56 @@ class Search {
     return std::nullopt;
   }
 
-  // Of frames alone, with the actuated joints where nothing else is known.
+  // Of frames alone, and with the actuated joints where nothing else is known.
   std::optional<Diagnosis> of_frames(bool with_drives) {
-    for (const Cost cost : {Cost::frames, Cost::frames_and_drives})
-      for (const Edits& kind : cost == Cost::frames || with_drives ? edits_at(cost) : std::vector<Edits>{})
-        if (search_.try_all(kind)) return diagnosis(cost);
+    for (const Source& source : sources())
+      if (source.cost == Cost::frames || (with_drives && source.cost == Cost::frames_and_drives))
+        if (auto found = of(source)) return found;
     return std::nullopt;
   }
 
  private:
-  std::vector<Edits> edits_at(Cost cost) {
-    switch (cost) {
-      case Cost::names: {
-        Edits ends = end_place_edits(s_);
-        append(ends, ends_paired_by_names(s_));
-        return {ends};
-      }
-      case Cost::ends_apart:
-        return {edits_of_apart_ends(s_)};
-      case Cost::base:
-        return {base_edits(s_)};
-      case Cost::missing_joint:
-        return {missing_joint_edits(s_)};
-      case Cost::frames:
-        return frame_edits(s_);
-      case Cost::passive_slides:
-        return {passive_slide_edits(s_)};
-      case Cost::like_axes:
-        return {axes_of_like_closures(s_)};
-      case Cost::one_type:
-        return {is_one_type() ? types_of_like_closures(s_, ClosureType::point) : Edits{}};
-      case Cost::like_others:
-        return {is_known() ? Edits{} : those_of(elements(), true)};
-      case Cost::fitting_axes:
-        return {is_known() ? Edits{} : axis_edits(s_, values())};
-      case Cost::platform_frame:
-        return {platform_frame_edits(s_)};
-      case Cost::operational_point:
-        return {is_assembled() ? operational_point_edits(s_) : Edits{}};
-      case Cost::point_frame:
-        return {point_frame_edits(s_)};
-      case Cost::frames_and_drives:
-        return frames_and_drives();
-      case Cost::others:
-        return {may_be_elsewhere() ? those_of(elements(), false) : Edits{}};
-      case Cost::like_legs:
-        return {may_be_elsewhere() ? motions_of_like_legs(s_) : Edits{}};
-      case Cost::types:
-        return types();
-    }
-    return {};
+  using Kinds = std::vector<Edits>;  // one after the other
+  struct Source {
+    Cost cost;
+    std::function<Kinds()> edits;
+  };
+
+  std::optional<Diagnosis> of(const Source& source) {
+    for (const Edits& kind : source.edits())
+      if (search_.try_all(kind)) return diagnosis(source.cost);
+    return std::nullopt;
   }
+
+  // Each is asked only where those before it had nothing that works.
+  std::vector<Source> sources() {
+    return {
+        {Cost::names, [this] { return Kinds{ends()}; }},
+        {Cost::ends_apart, [this] { return Kinds{edits_of_apart_ends(s_)}; }},
+        {Cost::base, [this] { return Kinds{base_edits(s_)}; }},
+        {Cost::missing_joint, [this] { return Kinds{missing_joint_edits(s_)}; }},
+        {Cost::frames, [this] { return frame_edits(s_); }},
+        {Cost::passive_slides, [this] { return Kinds{passive_slide_edits(s_)}; }},
+        {Cost::like_axes, [this] { return Kinds{axes_of_like_closures(s_)}; }},
+        {Cost::one_type, [this] { return Kinds{type_of_all()}; }},
+        {Cost::like_others, [this] { return Kinds{is_known() ? Edits{} : those_of(elements(), true)}; }},
+        {Cost::fitting_axes, [this] { return Kinds{is_known() ? Edits{} : axis_edits(s_, values())}; }},
+        {Cost::platform_frame, [this] { return Kinds{platform_frame_edits(s_)}; }},
+        {Cost::operational_point, [this] { return Kinds{points()}; }},
+        {Cost::point_frame, [this] { return Kinds{point_frame_edits(s_)}; }},
+        {Cost::frames_and_drives, [this] { return frames_and_drives(); }},
+        {Cost::others, [this] { return may_be_elsewhere() ? Kinds{those_of(elements(), false)} : Kinds{}; }},
+        {Cost::like_legs, [this] { return may_be_elsewhere() ? Kinds{motions_of_like_legs(s_)} : Kinds{}; }},
+        {Cost::types, [this] { return types(); }}};
+  }
+
+  Edits ends() const {
+    Edits ends = end_place_edits(s_);
+    append(ends, ends_paired_by_names(s_));
+    return ends;
+  }
+
+  Edits points() { return is_assembled() ? operational_point_edits(s_) : Edits{}; }
 
   const AssemblyResult& assembled() {
     const ActuatedJoints& joints = s_.resolved.actuated_joints;
@@ -188,20 +184,20 @@ class Search {
     return *elements_;
   }
 
-  std::vector<Edits> frames_and_drives() const {
-    std::vector<Edits> both;
+  Kinds frames_and_drives() const {
+    Kinds both;
     if (s_.resolved.actuation_origin.empty())
       for (const Edits& kind : frame_edits(s_)) both.push_back(with_actuation(s_, kind));
     return both;
   }
 
   // One for like closures, or none. Where all are revolute, as in the plane, that is right.
-  std::vector<Edits> types() const {
+  Kinds types() const {
     const std::vector<Closure>& closures = s_.resolved.closures;
     const bool all_revolute = std::all_of(closures.begin(), closures.end(), [](const Closure& closure) {
       return closure.type == ClosureType::revolute;
     });
-    std::vector<Edits> all;
+    Kinds all;
     for (const ClosureType type : {ClosureType::point, ClosureType::revolute, ClosureType::universal})
       if (!all_revolute) all.push_back(types_of_like_closures(s_, type));
     if (s_.resolved.closure_dialect.empty())
@@ -247,11 +243,13 @@ class Search {
   }
 
   // As where somebody takes revolute joints for ball joints throughout. Fewer are of planar robots.
-  bool is_one_type() const {
+  Edits type_of_all() const {
     const std::vector<Closure>& closures = s_.resolved.closures;
-    return closures.size() > 2 && closures.front().type != ClosureType::automatic &&
-           std::all_of(closures.begin(), closures.end(),
-                       [&](const Closure& closure) { return closure.type == closures.front().type; });
+    const bool is_one = closures.size() > 2 && closures.front().type != ClosureType::automatic &&
+                        std::all_of(closures.begin(), closures.end(), [&](const Closure& closure) {
+                          return closure.type == closures.front().type;
+                        });
+    return is_one ? types_of_like_closures(s_, ClosureType::point) : Edits{};
   }
 
   // Then lengths and axes are not at fault.

@@ -126,11 +126,6 @@ Eigen::Vector3d rounded(const Eigen::Vector3d& place) {
   return (place / decimal).array().round().matrix() * decimal;
 }
 
-std::string gap_text(const Tree& tree, const Closure& closure, double gap) {
-  return "'" + tree.links[closure.frames[0].link] + "' and '" + tree.links[closure.frames[1].link] + "' by " +
-         number_text(gap, 4) + " m (closure '" + closure.name + "')";
-}
-
 // Of the closures through the base whose ends are given.
 struct ApartEnds {
   std::string names;

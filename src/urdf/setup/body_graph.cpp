@@ -2,17 +2,8 @@
 #include "urdf/setup/body_graph.h"
 
 #include <algorithm>
-#include <limits>
-#include <map>
-#include <numeric>
-#include <queue>
 
 namespace parallel_aspects {
-namespace {
-
-constexpr std::size_t unreached = std::numeric_limits<std::size_t>::max();
-
-}  // namespace
 
 Bodies::Bodies(const Tree& tree) : body_(tree.links.size(), 0), links_{{0}} {
   for (const TreeJoint& joint : tree.joints) {
@@ -38,11 +29,11 @@ BodyGraph::BodyGraph(const Tree& tree, const Bodies& bodies, const std::vector<C
       for (std::size_t body = bodies.of(frame.link); body != 0; body = carrier_[body]) ++crossings[body];
     for (const TreeJoint& joint : tree.joints)
       if (joint.variable && crossings[bodies.of(joint.child)] == 1) in_loop_[*joint.variable] = true;
-    edges_.push_back({bodies.of(closure.frames[0].link), bodies.of(closure.frames[1].link), std::nullopt});
+    edges_.push_back({bodies.of(closure.frames[0].link), bodies.of(closure.frames[1].link)});
   }
   for (const TreeJoint& joint : tree.joints)
     if (joint.variable && in_loop_[*joint.variable])
-      edges_.push_back({bodies.of(joint.parent), bodies.of(joint.child), joint.variable});
+      edges_.push_back({bodies.of(joint.parent), bodies.of(joint.child)});
 }
 
 bool BodyGraph::touches_loop(std::size_t body) const {
@@ -62,73 +53,6 @@ std::vector<std::size_t> BodyGraph::moving_bodies(std::size_t base) const {
   for (std::size_t body = 0; body < bodies_.count(); ++body)
     if (body != base && touches_loop(body)) result.push_back(body);
   return result;
-}
-
-std::vector<std::size_t> BodyGraph::depths_from(std::size_t base, std::size_t platform) const {
-  std::vector<std::size_t> depths(bodies_.count(), unreached);
-  std::queue<std::size_t> open({base});
-  depths[base] = 0;
-  for (; !open.empty(); open.pop()) {
-    const std::size_t body = open.front();
-    if (body == platform) continue;
-    for (const Edge& edge : edges_)
-      for (const auto& [from, to] : {std::pair{edge.from, edge.to}, std::pair{edge.to, edge.from}})
-        if (from == body && depths[to] == unreached) {
-          depths[to] = depths[body] + 1;
-          open.push(to);
-        }
-  }
-  return depths;
-}
-
-GraphPart BodyGraph::part_of(std::vector<std::size_t> edges, const std::vector<std::size_t>& depths) const {
-  const auto depth = [&](std::size_t edge) {
-    return std::min(depths[edges_[edge].from], depths[edges_[edge].to]);
-  };
-  std::stable_sort(edges.begin(), edges.end(),
-                   [&](std::size_t one, std::size_t other) { return depth(one) < depth(other); });
-  GraphPart part;
-  for (const std::size_t edge : edges) {
-    if (!edges_[edge].variable) {
-      part.closed = true;
-      continue;
-    }
-    part.variables.push_back(*edges_[edge].variable);
-    part.depths.push_back(depth(edge));
-  }
-  return part;
-}
-
-std::vector<std::size_t> BodyGraph::marks_without(std::size_t base, std::size_t platform) const {
-  std::vector<std::size_t> mark(bodies_.count());
-  std::iota(mark.begin(), mark.end(), std::size_t{0});
-  for (const Edge& edge : edges_)
-    if (edge.from != base && edge.from != platform && edge.to != base && edge.to != platform)
-      std::replace(mark.begin(), mark.end(), std::size_t{mark[edge.from]}, std::size_t{mark[edge.to]});
-  return mark;
-}
-
-bool BodyGraph::any_at(const std::vector<std::size_t>& edges, std::size_t body) const {
-  return std::any_of(edges.begin(), edges.end(),
-                     [&](std::size_t k) { return edges_[k].from == body || edges_[k].to == body; });
-}
-
-std::vector<GraphPart> BodyGraph::parts_between(std::size_t base, std::size_t platform) const {
-  const std::vector<std::size_t> mark = marks_without(base, platform);
-  const auto is_end = [&](std::size_t body) { return body == base || body == platform; };
-  std::map<std::size_t, std::vector<std::size_t>> edges_by_mark;
-  for (std::size_t k = 0; k < edges_.size(); ++k) {
-    const std::size_t inner = is_end(edges_[k].from) ? edges_[k].to : edges_[k].from;
-    edges_by_mark[is_end(inner) ? bodies_.count() + k : mark[inner]].push_back(k);
-  }
-  const std::vector<std::size_t> depths = depths_from(base, platform);
-  std::vector<GraphPart> parts;
-  for (const auto& [key, edges] : edges_by_mark)
-    if (any_at(edges, base) && any_at(edges, platform)) parts.push_back(part_of(edges, depths));
-  // Legs in the order of the URDF.
-  std::sort(parts.begin(), parts.end(),
-            [](const GraphPart& one, const GraphPart& other) { return one.variables < other.variables; });
-  return parts;
 }
 
 std::size_t closed_again(const Bodies& bodies, const std::vector<Closure>& closures,

@@ -35,16 +35,13 @@ struct GraphPart {
   bool closed = false;                 ///< whether it holds a closure
 };
 
-/// Bodies, and what joins them: movable joints and closures.
+/// Bodies, and what joins them in loops: movable joints and closures.
 class BodyGraph {
  public:
   BodyGraph(const Tree& tree, const Bodies& bodies, const std::vector<Closure>& closures);
 
   /// The body nearest to the root from which more than one way leads into the loops; nothing without loops.
   std::optional<std::size_t> base() const;
-
-  /// What lies between these bodies and touches both: the legs, where they are base and platform.
-  std::vector<GraphPart> parts_between(std::size_t base, std::size_t platform) const;
 
   /// Bodies that a loop moves, apart from `base`.
   std::vector<std::size_t> moving_bodies(std::size_t base) const;
@@ -54,17 +51,10 @@ class BodyGraph {
 
  private:
   struct Edge {
-    std::size_t from = 0, to = 0;
-    std::optional<std::size_t> variable;  // none for a closure
+    std::size_t from = 0, to = 0;  // bodies
   };
 
   bool touches_loop(std::size_t body) const;
-  bool any_at(const std::vector<std::size_t>& edges, std::size_t body) const;
-
-  // Bodies that are joined without these two have one mark.
-  std::vector<std::size_t> marks_without(std::size_t base, std::size_t platform) const;
-  std::vector<std::size_t> depths_from(std::size_t base, std::size_t platform) const;
-  GraphPart part_of(std::vector<std::size_t> edges, const std::vector<std::size_t>& depths) const;
 
   const Bodies& bodies_;
   std::vector<bool> in_loop_;

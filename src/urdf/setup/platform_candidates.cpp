@@ -2,9 +2,12 @@
 #include "urdf/setup/platform_candidates.h"
 
 #include "urdf/closing/actuation_choices.h"
+#include "urdf/closing/chain.h"
 #include "urdf/description/name_words.h"
 
 #include <algorithm>
+#include <memory>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -40,6 +43,33 @@ std::vector<std::vector<GraphPart>> leg_choices(const Tree& tree, const std::vec
   return choices;
 }
 
+// What is between these bodies apart from everything else and touches both: the legs, where they are base and
+// platform, in the order of the URDF.
+std::vector<GraphPart> parts_between(const ClosureSystem& loops, const Bodies& bodies, std::size_t base,
+                                     std::size_t platform) {
+  std::vector<GraphPart> parts;
+  for (const auto& joints : joints_by_leg(loops, {bodies.links(platform).front(), {}}, {})) {
+    GraphPart part;
+    std::set<std::size_t> inner;
+    for (const LegJoint& joint : joints) {
+      if (!loops.in_loop()[joint.variable]) continue;
+      part.variables.push_back(joint.variable);
+      part.depths.push_back(joint.depth);
+      const TreeJoint& of_tree = loops.tree().joint_of(joint.variable);
+      inner.insert({bodies.of(of_tree.parent), bodies.of(of_tree.child)});
+    }
+    inner.erase(base);
+    inner.erase(platform);
+    for (const Closure& closure : loops.closures())
+      for (const LinkFrame& frame : closure.frames)
+        part.closed = part.closed || inner.count(bodies.of(frame.link)) > 0;
+    parts.push_back(std::move(part));
+  }
+  std::sort(parts.begin(), parts.end(),
+            [](const GraphPart& one, const GraphPart& other) { return one.variables < other.variables; });
+  return parts;
+}
+
 // Legs of a fully parallel robot, and one passive chain besides.
 constexpr std::size_t min_parts = 2, max_parts = 7;
 
@@ -60,10 +90,12 @@ std::vector<Platform> platform_candidates(const Tree& tree, const Bodies& bodies
                                           std::size_t base, const std::vector<Closure>& closures,
                                           const SetupAnswers& answers) {
   const std::string& answer = answers.operational_point;
+  const ClosureSystem loops({std::shared_ptr<const Tree>(), &tree}, bodies.links(base).front(),
+                            with_type(closures, ClosureType::point));
   std::vector<Platform> result;
   for (const std::size_t body : graph.moving_bodies(base)) {
     if (!answer.empty() && bodies.of(*tree.link_named(answer)) != body) continue;
-    const std::vector<GraphPart> parts = graph.parts_between(base, body);
+    const std::vector<GraphPart> parts = parts_between(loops, bodies, base, body);
     if (parts.size() < min_parts || parts.size() > max_parts) continue;
     Platform platform{body, {}, leg_choices(tree, parts)};
     platform.links = answer.empty() ? links_of(tree, bodies.links(body), closures, parts.size())
