@@ -27,7 +27,7 @@ for configuration in robot.configurations(pose):
 # %% The aspects, a picture for each working mode, and how many there are: Table 1 of the paper.
 aspects = robot.map()
 aspects.plot().savefig(folder / "five_bar_aspects.png", dpi=120)
-table = collections.Counter((aspect.mode, aspect.determinant_sign) for aspect in aspects.aspects)
+table = collections.Counter((aspect.working_mode, aspect.determinant_sign) for aspect in aspects.aspects)
 print(f"{len(aspects.aspects)} aspects, {aspects.proved_count} proved; at most {aspects.count_at_most}")
 for (mode, sign), count in sorted(table.items()):
     print(f"B {mode}, det A {'+' if sign > 0 else '-'}: {count}")

@@ -52,17 +52,30 @@ std::optional<MapSlice> Session::slice_of(const MapSource& source) const {
 }
 
 // A file that the map is saved to need not be there the first time.
-FoundMap Session::load_or_compute(const MapOptions& options, const MapSource& source, const Control& control,
+FoundMap Session::load_or_compute(const MapOptions& options, const MapSource& files, const Control& control,
                                   ProblemList& problems) {
-  const std::string& file = source.load;
-  if (!file.empty() && (file != source.save || std::filesystem::exists(file))) {
-    const MapResult loaded = load_map(robot_, options, file);
+  if (!files.load.empty() && (files.load != files.save || std::filesystem::exists(files.load))) {
+    const MapResult loaded = load_map(robot_, options, files.load);
     if (loaded) return {loaded.map, true};
+    if (files.must_load) problems.push_back(told(loaded.message));
+    if (files.must_load) return {};
     if (control.note) control.note(loaded.message);
   }
   const MapResult computed = compute_aspect_map(robot_, options, control.begin("Computing a map."));
   if (computed.status == MapStatus::refused) problems.push_back(told(computed.message));
   return {computed.map, false};
+}
+
+FoundMap Session::map_of(const MapOptions& options, const MapSource& files, const Control& control,
+                         ProblemList& problems) {
+  return saved(load_or_compute(options, files, control, problems), files.save, control, problems);
+}
+
+FoundMap Session::saved(FoundMap found, const std::string& file, const Control& control,
+                        ProblemList& problems) {
+  if (!found.map || file.empty()) return found;
+  const bool saved = save_with_gates(*found.map, file, control.begin("Looking for gates."), problems);
+  return saved ? found : FoundMap{};
 }
 
 FoundMap Session::map(const MapSource& source, const std::vector<WorkingMode>& modes, const Control& control,
@@ -75,9 +88,7 @@ FoundMap Session::map(const MapSource& source, const std::vector<WorkingMode>& m
     found = load_or_compute(options_for(source, modes), source, control, problems);
     if (is_there && modes.empty()) computed_map_ = found.map;  // for the next question
   }
-  if (!found.map || source.save.empty()) return found;
-  const bool saved = save_with_gates(*found.map, source.save, control.begin("Looking for gates."), problems);
-  return saved ? found : FoundMap{};
+  return saved(std::move(found), source.save, control, problems);
 }
 
 // A finer map of what is known is of the same slice, modes and region.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpi/map_in_shards.h"
 
+#include "ask/question_parts.h"
 #include "aspects/shards/sharded_map.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/problems.h"
@@ -43,8 +44,13 @@ std::optional<Box> region_of(const ShardArguments& arguments, const tools::MapSe
                              TaskSpace space, const std::optional<MapSlice>& slice, Problems& problems) {
   std::vector<std::string> names = slice ? coordinate_names(*slice) : coordinate_names(space);
   names.resize(slice ? slice->free_positions() : directions(space));
-  if (!arguments.region.empty()) return tools::parse_region("--region", names, arguments.region, problems);
-  return slice ? std::nullopt : resolve_region(section.config, space, section.file, problems);
+  if (arguments.region.empty())
+    return slice ? std::nullopt : resolve_region(section.config, space, section.file, problems);
+  ask::ProblemList found;
+  const auto ranges = tools::parse_ranges("--region", arguments.region, problems);
+  const Box region = ask::box_of("region", names, ranges, found);
+  for (const std::string& each : texts_of(found, tools::option_name)) problems.push_back(each);
+  return region;
 }
 
 MapOptions options_of(const ShardArguments& arguments, const tools::MapSection& section,

@@ -202,8 +202,7 @@ Question read_question(const Manipulator& robot, const pybind11::dict& keywords)
 
 /// Asks in a thread of its own. Throws `InvalidDescription`.
 template <class Question>
-pybind11::dict ask_session(SharedSession& shared, const Question& question,
-                           const pybind11::object& progress) {
+auto answered(SharedSession& shared, const Question& question, const pybind11::object& progress) {
   ask::Session& session = shared.session;
   std::vector<std::string> notes;
   auto outcome = run_long(progress, [&](const MapControl& called) {
@@ -216,11 +215,24 @@ pybind11::dict ask_session(SharedSession& shared, const Question& question,
   });
   warn_of(notes);
   if (!outcome) throw InvalidDescription(texts_of(outcome.problems, ask::plain_name));
-  DictWriter writer(*session.robot());
-  describe(writer, std::as_const(outcome.answer));
+  return std::move(outcome.answer);
+}
+
+/// The fields of an answer.
+template <class Answer>
+pybind11::dict dict_of(const Manipulator& robot, const Answer& answer) {
+  DictWriter writer(robot);
+  describe(writer, answer);
   pybind11::dict result = writer.take();
-  add_remarks(outcome.answer, result);
+  add_remarks(answer, result);
   return result;
+}
+
+/// Both.
+template <class Question>
+pybind11::dict ask_session(SharedSession& shared, const Question& question,
+                           const pybind11::object& progress) {
+  return dict_of(*shared.session.robot(), answered(shared, question, progress));
 }
 
 }  // namespace parallel_aspects::python

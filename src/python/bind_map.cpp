@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ask/question_parts.h"
+#include "aspects/pictures/map_pictures.h"
+#include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 
 #include "python/arrays.h"
 #include "python/asking.h"
@@ -14,77 +14,26 @@ namespace {
 
 namespace py = pybind11;
 
-/// Which map.
-struct MapKeywords {
-  MapOptions options;
-  std::vector<ask::NamedRange> region;
-};
-
-template <class Visit>
-void describe(Visit& visit, MapKeywords& keywords) {
-  visit({"resolution", "", ""}, keywords.options.resolution);
-  visit({"region", "", ""}, keywords.region);
-  visit({"slice", "", ""}, keywords.options.slice);
-  visit({"modes", "", ""}, keywords.options.modes);
+CoreMap mapped(const CoreRobot& robot, const ask::MapQuestion& question, const py::object& progress) {
+  SharedSession questions(robot.manipulator);
+  const ask::MapAnswer answer = answered(questions, question, progress);
+  return {answer.map, dict_of(*robot.manipulator, answer)};
 }
 
-MapOptions map_options(const Manipulator& manipulator, const py::dict& keywords) {
-  const auto asked = read_question<MapKeywords>(manipulator, keywords);
-  MapOptions options = asked.options;
-  auto names = options.slice ? coordinate_names(*options.slice) : coordinate_names(manipulator.task_space());
-  names.resize(options.slice ? options.slice->free_positions() : directions(manipulator.task_space()));
-  ask::ProblemList problems;
-  if (!asked.region.empty()) options.region = ask::box_of("region", names, asked.region, problems);
-  if (!problems.empty()) throw InvalidDescription(texts_of(problems, ask::plain_name));
-  return options;
-}
-
-CoreMap require(MapResult result) {
-  if (!result) throw InvalidDescription({result.message});
-  return CoreMap(std::move(result.map));
-}
-
-CoreMap compute(const CoreRobot& robot, const py::dict& keywords, unsigned threads, int extra_levels,
-                bool complete, const py::object& progress) {
-  MapOptions options = map_options(*robot.manipulator, keywords);
-  options.threads = threads;
-  options.extra_levels = extra_levels;
-  options.complete = complete;
-  return require(run_long(progress, [&](const MapControl& control) {
-    return compute_aspect_map(robot.manipulator, options, control);
-  }));
+CoreMap compute(const CoreRobot& robot, const py::dict& keywords, const py::object& progress) {
+  return mapped(robot, read_question<ask::MapQuestion>(*robot.manipulator, keywords), progress);
 }
 
 CoreMap load_file(const CoreRobot& robot, const std::string& file, const py::dict& keywords) {
-  const MapOptions options = map_options(*robot.manipulator, keywords);
-  return require(
-      run_long(py::none(), [&](const MapControl&) { return load_map(robot.manipulator, options, file); }));
+  auto question = read_question<ask::MapQuestion>(*robot.manipulator, keywords);
+  question.source.load = file;
+  question.source.must_load = true;
+  return mapped(robot, question, py::none());
 }
 
 void save(const CoreMap& map, const std::string& file) {
   const SaveResult result = run_long(py::none(), [&](const MapControl&) { return save_map(*map.map, file); });
   if (!result) throw InvalidDescription({result.message});
-}
-
-py::dict aspect_dict(const CoreMap& map, const Aspect& aspect) {
-  py::dict result;
-  result["id"] = aspect.id;
-  result["mode"] = to_string(aspect.mode);
-  result["determinant_sign"] = aspect.determinant_sign;
-  result["measure"] = aspect.measure;
-  result["measure_lower"] = aspect.measure_lower;
-  result["measure_upper"] = aspect.measure_upper;
-  result["boxes"] = aspect.inside_leaves;
-  result["deepest"] = array_of(map.robot().task_space(), aspect.deepest);
-  result["clearance"] = aspect.deepest_clearance;
-  result["unresolved_with"] = aspect.unresolved_with;
-  return result;
-}
-
-py::list aspects_of(const CoreMap& map) {
-  py::list result;
-  for (const Aspect& aspect : map.map->aspects()) result.append(aspect_dict(map, aspect));
-  return result;
 }
 
 void require_aspect(const CoreMap& map, int id) {
@@ -125,11 +74,6 @@ Array undecided_boxes(const CoreMap& map, const py::object& signs) {
   map.map->visit_undecided_leaves(mode_of("mode", map.robot(), signs),
                                   [&boxes](const Box& box) { boxes.push_back(box); });
   return array_of(boxes, map.map->coordinates().size());
-}
-
-py::object region_of(const CoreMap& map) {
-  const Box region = map.map->region();
-  return array_of({region}, region.dimension)[py::int_(0)];
 }
 
 const char* name_of(BoundaryKind kind) {
@@ -200,24 +144,8 @@ py::dict trace(const CoreMap& map, const py::object& signs, double level, int ce
 void bind_map(RobotClass& robot, MapClass& map) {
   robot.def("map", compute);
   robot.def("load_map", load_file);
-  const auto property = [&map](const char* name, auto get) {
-    map.def_property_readonly(name, [get](const CoreMap& self) { return get(*self.map); });
-  };
-  property("coordinates", [](const AspectMap& m) { return m.coordinates(); });
-  property("unit", [](const AspectMap& m) { return m.unit(); });
-  property("resolution", [](const AspectMap& m) { return m.resolution(); });
-  property("proved_count", [](const AspectMap& m) { return m.proved_count(); });
-  property("count_at_most", [](const AspectMap& m) { return m.count_at_most(); });
-  property("unresolved", [](const AspectMap& m) { return m.unresolved(); });
-  property("measure_undecided", [](const AspectMap& m) { return m.measure_undecided(); });
-  property("seconds", [](const AspectMap& m) { return m.seconds(); });
-  map.def_property_readonly("region", region_of);
-  map.def_property_readonly("aspects", aspects_of);
-  map.def_property_readonly("working_modes", [](const CoreMap& self) {
-    std::vector<std::string> texts;
-    for (const WorkingMode& mode : self.map->working_modes()) texts.push_back(to_string(mode));
-    return texts;
-  });
+  map.def_readonly("fields", &CoreMap::fields);
+  map.def_property_readonly("coordinates", [](const CoreMap& self) { return self.map->coordinates(); });
   map.def("locate", locate);
   map.def("boxes", boxes_of);
   map.def("undecided", undecided_boxes);

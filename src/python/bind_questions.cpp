@@ -153,6 +153,9 @@ void bind_motion(py::module& module, RobotClass& robot, MapClass& map) {
   module.def("jacobian_at", fields_of<ask::JacobianAt>);
   module.def("jacobian_answer", fields_of<ask::JacobianAnswer>);
   bind_question<ask::PlanQuestion, ask::PlanAnswer>("plan", module, robot, map);
+  module.def("map_question", fields_of<ask::MapQuestion>);
+  module.def("map_answer", fields_of<ask::MapAnswer>);
+  module.def("aspect_answer", fields_of<ask::MappedAspect>);
   bind_question<ask::GraphQuestion, ask::GraphAnswer>("graph", module, robot, map);
   bind_question<ask::ConnectQuestion, ask::ConnectAnswer>("connect", module, robot, map);
   bind_question<ask::DistanceQuestion, ask::DistancesInMode>("distance", module, robot, map);

@@ -36,10 +36,13 @@ struct SharedSession {
 /// `_core.Map`.
 struct CoreMap {
   std::shared_ptr<const AspectMap> map;      ///< never null
+  pybind11::dict fields;                     ///< of the answer that it came in
   std::shared_ptr<SharedSession> questions;  ///< that know it
 
-  explicit CoreMap(std::shared_ptr<const AspectMap> computed)
-      : map(std::move(computed)), questions(std::make_shared<SharedSession>(map->manipulator())) {
+  CoreMap(std::shared_ptr<const AspectMap> computed, pybind11::dict answer)
+      : map(std::move(computed)),
+        fields(std::move(answer)),
+        questions(std::make_shared<SharedSession>(map->manipulator())) {
     questions->session.know(map);
   }
 

@@ -2,9 +2,9 @@
 #include "tools/arguments.h"
 
 #include "ask/question_parts.h"
+#include "aspects/pictures/map_pictures.h"
 #include "aspects/tree/held_joint_example.h"
 #include "model/message_text.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "tools/computation.h"
@@ -167,21 +167,6 @@ std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulat
   return std::nullopt;
 }
 
-Option index_option(std::string& text) {
-  return {
-      "--index", "NAME",
-      "By which index depths and bottlenecks are measured: parallel, |det A| over the norms of its rows, or "
-      "det_a, |det A| itself; by default parallel",
-      &text};
-}
-
-ParallelIndex parse_index(const std::string& text, Problems& problems) {
-  if (text == "det_a") return ParallelIndex::determinant;
-  if (!text.empty() && text != "parallel")
-    problems.push_back("--index is '" + text + "'; give parallel or det_a.");
-  return ParallelIndex::normalised;
-}
-
 RoadmapOptions parse_roadmap(const RoadmapArguments& arguments, Problems& problems) {
   RoadmapOptions options;
   if (!arguments.samples.empty())
@@ -254,16 +239,6 @@ std::vector<ask::NamedRange> parse_ranges(const std::string& option, const std::
     if (auto found = named_numbers(option, word, 2, example, problems))
       ranges.push_back({std::move(found->first), found->second[0], found->second[1]});
   return ranges;
-}
-
-Box parse_region(const std::string& option, const std::vector<std::string>& names, const std::string& text,
-                 Problems& problems) {
-  const auto ranges = parse_ranges(option, text, problems, ask::example_of_ranges(names));
-  ask::ProblemList found;
-  const Box box = ask::box_of("region", names, ranges, found);
-  for (const std::string& each : texts_of(found, [&option](const std::string&) { return option; }))
-    problems.push_back(each);
-  return box;
 }
 
 namespace {

@@ -46,11 +46,6 @@ std::string example_of_section(const Manipulator& manipulator, const Pose& pose)
 /// as in SO3.
 std::string example_of_plane(const Manipulator& manipulator, const Pose& pose);
 
-/// The box that `text` gives, such as "x=-5:5 y=0:10": a lower and an upper end for each of `names`,
-/// separated by blanks or commas.
-Box parse_region(const std::string& option, const std::vector<std::string>& names, const std::string& text,
-                 Problems& problems);
-
 /// Numbers with blanks, commas or colons between them, such as "1:2".
 std::vector<double> parse_ratio(const std::string& option, std::string text, Problems& problems);
 
@@ -86,12 +81,6 @@ void refuse_tolerance(const ConstraintArguments& arguments, const Manipulator& r
 
 /// Likewise, and cusps and regions of actuated values are bounded by limits of actuated joints alone.
 void refuse_other_bounds(const ConstraintArguments& arguments, const Manipulator& robot, Problems& problems);
-
-/// `--index NAME`, which fills `text`.
-Option index_option(std::string& text);
-
-/// "parallel", which is taken for no text, or "det_a".
-ParallelIndex parse_index(const std::string& text, Problems& problems);
 
 /// What is sampled for a roadmap, as text from the command line; empty where not given.
 struct RoadmapArguments {

@@ -17,16 +17,18 @@ void TextReader::read(const std::string& option, const std::string& text, double
 }
 
 void TextReader::read(const std::string& option, const std::string& text, Pose& value) {
-  value = parse_pose(option, robot_.task_space(), text, problems_);
+  if (robot_ != nullptr) value = parse_pose(option, robot_->task_space(), text, problems_);
 }
 
 void TextReader::read(const std::string& option, const std::string& text, WorkingMode& value) {
-  if (const auto mode = parse_mode(option, robot_, text, problems_)) value = *mode;
+  if (robot_ == nullptr) return;
+  if (const auto mode = parse_mode(option, *robot_, text, problems_)) value = *mode;
 }
 
 void TextReader::read(const std::string& option, const std::string& text, JointVector& value) {
+  if (robot_ == nullptr) return;
   std::vector<std::string> names;
-  for (const Leg& leg : robot_.legs()) names.push_back(leg.actuated_joint);
+  for (const Leg& leg : robot_->legs()) names.push_back(leg.actuated_joint);
   const std::size_t known = problems_.size();
   const std::vector<double> values = parse_numbers(option, text, names, problems_);
   if (problems_.size() > known) return;  // there may be more of them than a vector of joints holds
@@ -34,7 +36,7 @@ void TextReader::read(const std::string& option, const std::string& text, JointV
 }
 
 void TextReader::read(const std::string& option, const std::string& text, MapSlice& value) {
-  value = parse_slice(option, robot_, text, problems_);
+  if (robot_ != nullptr) value = parse_slice(option, *robot_, text, problems_);
 }
 
 void TextReader::read(const std::string& option, const std::string& text, HeldJoint& value) {
@@ -50,7 +52,7 @@ void TextReader::read(const std::string& option, const std::string& text, std::v
 }
 
 void TextReader::read(const std::string& option, const std::string& text, std::vector<WorkingMode>& values) {
-  values = parse_modes(option, robot_, text, problems_);
+  if (robot_ != nullptr) values = parse_modes(option, *robot_, text, problems_);
 }
 
 void TextReader::read(const std::string& option, const std::string& text,
@@ -89,14 +91,6 @@ std::string source_text(const ask::MapSource& source, bool loaded) {
                    : "the map was computed, as " + source.load + " does not have it\n";
   if (!source.save.empty()) text += "the map is saved to " + source.save + "\n";
   return text;
-}
-
-void save_with_gates(const AspectMap& map, const std::string& file, const Surroundings& surroundings) {
-  if (file.empty()) return;
-  ask::ProblemList problems;
-  if (ask::save_with_gates(map, file, control_of(surroundings), problems)) return;
-  if (!problems.empty()) refuse(problems);
-  throw Interrupted{};
 }
 
 void refuse(const ask::ProblemList& problems) {

@@ -117,7 +117,8 @@ std::vector<Option> question_options(QuestionTexts& texts) {
 /// Reads the fields of a question from their texts; what is wrong with these is added to the problems.
 class TextReader {
  public:
-  TextReader(const Manipulator& robot, const QuestionTexts& texts, const QuestionFlags& flags,
+  /// Without a robot it reads what needs none.
+  TextReader(const Manipulator* robot, const QuestionTexts& texts, const QuestionFlags& flags,
              Problems& problems)
       : robot_(robot), texts_(texts), flags_(flags), problems_(problems) {}
 
@@ -166,7 +167,7 @@ class TextReader {
   void read(const std::string& option, const std::string& text, std::vector<HeldCoordinate>& values);
   void read(const std::string& option, const std::string& text, std::vector<ask::NamedRange>& values);
 
-  const Manipulator& robot_;
+  const Manipulator* robot_;
   const QuestionTexts& texts_;
   const QuestionFlags& flags_;
   Problems& problems_;
@@ -177,9 +178,18 @@ template <class Question>
 Question read_question(const Manipulator& robot, const QuestionTexts& texts, Problems& problems,
                        const QuestionFlags& flags = {}) {
   Question question;
-  TextReader reader(robot, texts, flags, problems);
+  TextReader reader(&robot, texts, flags, problems);
   describe(reader, question);
   return question;
+}
+
+/// What is wrong with those of the texts that need no robot, to be told with what is wrong with its files.
+template <class Question>
+void check_texts(const QuestionTexts& texts, Problems& problems) {
+  Question question;
+  const QuestionFlags none;
+  TextReader reader(nullptr, texts, none, problems);
+  describe(reader, question);
 }
 
 /// Ends with an answer by Ctrl-C, and shows its progress on a terminal; notes are messages.
@@ -210,10 +220,6 @@ std::shared_ptr<const AspectMap> map_of(const std::shared_ptr<const Manipulator>
 
 /// Where the map is from, a line where a file was named.
 std::string source_text(const ask::MapSource& source, bool loaded);
-
-/// Writes a map with the gates between its aspects, which `aspects plan --load` then need not look for; an
-/// empty name is none. Throws `Interrupted`, or what `refuse` does.
-void save_with_gates(const AspectMap& map, const std::string& file, const Surroundings& surroundings);
 
 /// What is asked. Throws `InvalidDescription` where a text cannot be read.
 template <class Question>

@@ -98,7 +98,7 @@ def test_located_poses_have_the_sign_of_their_aspect(aspects, mode):
     by_id = {aspect.id: aspect for aspect in aspects.aspects}
     for i in np.flatnonzero(ids > 0):
         aspect = by_id[ids[i]]
-        assert aspect.mode == mode and reached[i] and aspect.determinant_sign * determinant[i] > 0, points[i]
+        assert aspect.working_mode == mode and reached[i] and aspect.determinant_sign * determinant[i] > 0, points[i]
     assert not reached[ids == pa.OUTSIDE].any()
     assert aspects.locate(points[0], mode) == ids[0]
 
@@ -106,17 +106,17 @@ def test_located_poses_have_the_sign_of_their_aspect(aspects, mode):
 def test_aspects_of_the_paper(aspects):
     assert aspects.proved_count == aspects.count_at_most == len(aspects.aspects) == 10
     assert aspects.unresolved.shape == (0, 2)
-    assert aspects.coordinates == ("x", "y") and aspects.unit == "m^2" and aspects.region.shape == (2, 2)
+    assert aspects.coordinates == ("x", "y") and aspects.unit == "m^2" and list(aspects.region) == ["x", "y"]
     by_area = sorted(aspects.aspects, key=lambda aspect: aspect.measure)
     for aspect, area in zip(by_area, np.repeat([3.70, 47.85, 109.78, 135.35, 193.58], 2)):  # +- 0.5 %, by brute force
         assert aspect.measure_lower < 1.005 * area and aspect.measure_upper > 0.995 * area
         assert aspect.measure == pytest.approx(area, rel=0.03)
     for aspect in aspects.aspects:
         boxes = aspects.boxes(aspect.id)
-        assert boxes.shape == (aspect.boxes, 2, 2)
+        assert boxes.shape == (aspect.inside_leaves, 2, 2)
         assert np.prod(boxes[..., 1] - boxes[..., 0], axis=1).sum() == pytest.approx(aspect.measure_lower)
         assert aspect.measure_lower <= aspect.measure <= aspect.measure_upper
-        assert aspects.locate(aspect.deepest, aspect.mode) == aspect.id
+        assert aspects.locate(aspect.deepest_pose, aspect.working_mode) == aspect.id
     assert sum(len(aspects.undecided(mode)) for mode in MODES) > 0
 
 
@@ -200,8 +200,8 @@ def test_paths_know_what_the_command_knows(robot):
     planar = pa.load("three_rpr")
     held = {"strut_1_joint": 14.98}
     aspects = planar.map(slice=held)
-    around = aspects.plan(aspects.aspects[0].deepest, around_cusp=1)
-    again = planar.plan(aspects.aspects[0].deepest, hold=held, around_cusp=1)
+    around = aspects.plan(aspects.aspects[0].deepest_pose, around_cusp=1)
+    again = planar.plan(aspects.aspects[0].deepest_pose, hold=held, around_cusp=1)
     for path in (around, again):
         assert path.around_cusp == 1 and path.slice["held"] == held and path.answer == around.answer
     assert around.turns_around_cusps == again.turns_around_cusps and around.poses == pytest.approx(again.poses)
@@ -243,7 +243,7 @@ def test_workspaces_lie_in_their_aspects(aspects):
     rim = np.stack([np.cos(turns), np.sin(turns)], axis=1)
     for each, aspect in zip(found, aspects.aspects):
         points = np.concatenate([each.center + share * each.lower * rim for share in (0.3, 0.7, 0.999)])
-        _, determinant, reached = closed_form(points, aspect.mode)
+        _, determinant, reached = closed_form(points, aspect.working_mode)
         assert reached.all() and (aspect.determinant_sign * determinant > 0).all() and each.lower <= each.upper
     box = aspects.workspace("box", [3], center={"x": 4.5}, aspect_ratio=(1, 2))[0]
     assert box.center[0] == 4.5 and box.lengths["edge_y"] == pytest.approx(2 * box.lengths["edge_x"])

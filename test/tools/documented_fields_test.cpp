@@ -60,6 +60,10 @@ void expect_documented() {
 TEST(DocumentedFields, AreThoseOfTheAnswers) {
   expect_documented(ask::RobotDescription{models::five_bar(), {}, 0, {}});
   expect_documented<ask::PlanAnswer>();
+  expect_documented<ask::MapAnswer>();
+  expect_documented<ask::MappedAspect>();
+  expect_documented<ask::PairBottleneck>();
+  expect_documented<Basin>();
   expect_documented<ask::GraphAnswer>();
   expect_documented<ask::GraphNode>();
   expect_documented<Neighbours>();

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASK_CHOOSE_H
 #define PARALLEL_ASPECTS_ASK_CHOOSE_H
 
+#include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
@@ -40,13 +41,6 @@ void describe(Visit& visit, const PathClearance& clearance) {
   visit({"singularity", "", "`serial` or `parallel`"}, std::string(clearance.serial ? "serial" : "parallel"));
   visit({"leg", "", "whose, where serial"}, ask::only_if(clearance.serial, ask::LegIndex{clearance.leg}));
   visit({"measures", "", "poses that were measured"}, static_cast<int>(clearance.measures));
-}
-
-/// Of a range of an index.
-template <class Visit>
-void describe(Visit& visit, const IndexRange& range) {
-  visit({"lower", "", "proved"}, range.lower);
-  visit({"upper", "", "proved"}, range.upper);
 }
 
 /// Of a working mode on a path.

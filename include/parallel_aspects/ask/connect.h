@@ -29,6 +29,13 @@ inline const char* name(LocationStatus status) {
                                                : "not mapped";
 }
 
+/// Of a range of an index.
+template <class Visit>
+void describe(Visit& visit, const IndexRange& range) {
+  visit({"lower", "", "proved"}, range.lower);
+  visit({"upper", "", "proved"}, range.upper);
+}
+
 namespace ask {
 
 /// Which configurations a pose, or values of the actuated joints, can be, and which aspects hold them.

@@ -73,6 +73,7 @@ struct MapSource {
   std::optional<MapSlice> hold{};      ///< the map of this slice
   std::string load{};                  ///< file that may have it; empty for none
   std::string save{};                  ///< file that it is written to, with its gates; empty for none
+  bool must_load = false;              ///< whether it is refused where the file does not have it
 
   /// Whether it names no other map than that which is there, of a slice or not.
   bool is_default() const noexcept { return !resolution && load.empty() && save.empty(); }
@@ -146,6 +147,14 @@ class Session {
   /// The slice that a question is about.
   std::optional<MapSlice> slice_of(const MapSource& source) const;
 
+  /// Of the map of that source in these working modes, or in all.
+  MapOptions options_for(const MapSource& source, const std::vector<WorkingMode>& modes) const;
+
+  /// The map with these options, of the file where it fits, else computed; it is saved where that is asked
+  /// for.
+  FoundMap map_of(const MapOptions& options, const MapSource& files, const Control& control,
+                  ProblemList& problems);
+
   /// The map of that source in these working modes, or in all: that which is known, that of the file where it
   /// fits, else computed; it is saved where that is asked for.
   FoundMap map(const MapSource& source, const std::vector<WorkingMode>& modes, const Control& control,
@@ -163,9 +172,10 @@ class Session {
   std::shared_ptr<PathPlanner> planner(const std::shared_ptr<const AspectMap>& map);
 
  private:
-  MapOptions options_for(const MapSource& source, const std::vector<WorkingMode>& modes) const;
-  FoundMap load_or_compute(const MapOptions& options, const MapSource& source, const Control& control,
+  FoundMap load_or_compute(const MapOptions& options, const MapSource& files, const Control& control,
                            ProblemList& problems);
+  static FoundMap saved(FoundMap found, const std::string& file, const Control& control,
+                        ProblemList& problems);
 
   std::shared_ptr<const Manipulator> robot_;
   std::shared_ptr<const Mechanism> mechanism_;

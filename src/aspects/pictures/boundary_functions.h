@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_PICTURES_BOUNDARY_FUNCTIONS_H
 #define PARALLEL_ASPECTS_ASPECTS_PICTURES_BOUNDARY_FUNCTIONS_H
 
-#include "parallel_aspects/aspects/map_pictures.h"
+#include "aspects/pictures/map_pictures.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/constraints.h"

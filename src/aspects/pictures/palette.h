@@ -2,8 +2,8 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_PICTURES_PALETTE_H
 #define PARALLEL_ASPECTS_ASPECTS_PICTURES_PALETTE_H
 
+#include "aspects/pictures/map_pictures.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,9 +2,9 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_SURFACE_ASPECT_SURFACE_H
 #define PARALLEL_ASPECTS_ASPECTS_SURFACE_ASPECT_SURFACE_H
 
+#include "aspects/pictures/map_pictures.h"
 #include "aspects/surface/surface_mesh.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 
 #include <Eigen/Core>
 

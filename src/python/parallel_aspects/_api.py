@@ -185,43 +185,14 @@ class Robot:
         parallel, serial = self._core.indices(array("poses", poses), mode)
         return _like(poses, parallel), _like(poses, serial)
 
-    def map(
-        self,
-        resolution: Optional[float] = None,
-        region: "Optional[Ranges]" = None,
-        slice: "Optional[Values]" = None,  # pylint: disable=redefined-builtin
-        modes: "Union[None, str, Iterable[Mode]]" = None,
-        threads: int = 0,
-        extra_levels: int = 12,
-        progress: Progress = None,
-        complete: bool = False,
-    ) -> Map:
-        """Computes the aspects, with proofs.
+    def map(self, resolution: Optional[float] = None, *, progress: Progress = None, **options: Any) -> Map:
+        """The aspects, with proofs, as of `aspects map`; with six degrees of freedom a `slice` is needed. `progress` is
+        called with the share that is done, 0 to 1; what it raises ends the computation, as Ctrl-C does."""
+        return Map(self._core.map({"resolution": resolution, **options}, progress))
 
-        resolution: longest edge of an undecided box of the base map [m or rad]; by default what suits the robot.
-        region: where to look, as {"x": (-1, 1), "y": (0, 2)} [m]; by default all that can be reached.
-        slice: coordinates that are held, as {"z": 1}; with six degrees of freedom it is needed.
-        modes: working modes, as ["(+,-)"]; by default all.
-        threads: 0 for one a core. The map does not depend on it.
-        progress: called with the share that is done, 0 to 1; what it raises ends the computation, as Ctrl-C does.
-        complete: with three degrees of freedom, looks for aspects smaller than the resolution as well, so that
-            `count_at_most` may be known; takes many times as long.
-        """
-        keywords = {"resolution": resolution, "region": region, "slice": slice, "modes": modes}
-        counts = count("threads", threads), count("extra_levels", extra_levels)
-        return Map(self._core.map(keywords, *counts, bool(complete), progress))
-
-    def load_map(
-        self,
-        file: "Union[str, os.PathLike]",
-        resolution: Optional[float] = None,
-        region: "Optional[Ranges]" = None,
-        slice: "Optional[Values]" = None,  # pylint: disable=redefined-builtin
-        modes: "Union[None, str, Iterable[Mode]]" = None,
-    ) -> Map:
-        """The map that `Map.save` or `aspects map --save` wrote, if it is of this robot and these options."""
-        keywords = {"resolution": resolution, "region": region, "slice": slice, "modes": modes}
-        return Map(self._core.load_map(os.fspath(file), keywords))
+    def load_map(self, file: "Union[str, os.PathLike]", resolution: Optional[float] = None, **options: Any) -> Map:
+        """The map that `Map.save` or `aspects map --save` wrote, if it is of this robot and these options of `map`."""
+        return Map(self._core.load_map(os.fspath(file), {"resolution": resolution, **options}))
 
     def distance(
         self, pose: "np.typing.ArrayLike", mode: Optional[Mode] = None, *, progress: Progress = None, **options: Any
@@ -372,6 +343,7 @@ class Robot:
         return answer
 
 
+documented(Robot.map, _core.map_question())
 documented(Robot.plan, _core.plan_question())
 documented(Robot.locate, _core.locate_question())
 documented(Robot.graph, _core.graph_question())

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Maps: the aspects of a robot."""
 import os
+from types import SimpleNamespace
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -15,15 +16,16 @@ OUTSIDE = -1  # proved to lie in no aspect of the working mode
 NOT_MAPPED = -2  # outside the region of the map
 
 
-class Map:
-    """The aspects of a robot, certified; `Robot.map` makes one. Immutable. Below, k is the number of coordinates of a
-    pose, and d that of `coordinates`, over which the map is made."""
+class Map(SimpleNamespace):
+    """The aspects of a robot, certified; `Robot.map` makes one. Below, k is the number of coordinates of a pose, and d that
+    of `coordinates`, over which the map is made. The aspect with the id i is `aspects[i - 1]`; `unresolved` has shape (n, 2).
+    """
 
     def __init__(self, core: Any) -> None:
+        super().__init__(**core.fields)
         self._core = core
-        self.aspects: Tuple[Aspect, ...] = tuple(
-            Aspect(**{**each, "unresolved_with": tuple(each["unresolved_with"])}) for each in core.aspects
-        )  # the one with id i is aspects[i - 1]
+        self.aspects: Tuple[Aspect, ...] = tuple(Aspect(**each) for each in core.fields["aspects"])
+        self.unresolved = np.array(core.fields["unresolved"], dtype=int).reshape(-1, 2)
 
     def __repr__(self) -> str:
         return f"<Map of {len(self.aspects)} aspects, {self.proved_count} of them proved to differ>"
@@ -32,51 +34,6 @@ class Map:
     def coordinates(self) -> Tuple[str, ...]:
         """Of its boxes [m or rad]; none in SO3."""
         return tuple(self._core.coordinates)
-
-    @property
-    def unit(self) -> str:
-        """Of measures."""
-        return self._core.unit
-
-    @property
-    def region(self) -> np.ndarray:
-        """What was searched: lower and upper end of each coordinate [m or rad], shape (d, 2)."""
-        return self._core.region
-
-    @property
-    def resolution(self) -> float:
-        """Longest edge of an undecided box of the base map [m or rad]."""
-        return self._core.resolution
-
-    @property
-    def working_modes(self) -> Tuple[str, ...]:
-        """Those that have aspects."""
-        return tuple(self._core.working_modes)
-
-    @property
-    def proved_count(self) -> int:
-        """So many generalized aspects there are at least, proved."""
-        return self._core.proved_count
-
-    @property
-    def count_at_most(self) -> Optional[int]:
-        """And so many at most, proved; None where that is not known."""
-        return self._core.count_at_most
-
-    @property
-    def unresolved(self) -> np.ndarray:
-        """Pairs of ids that are neither joined nor proved separate, shape (n, 2)."""
-        return np.array(self._core.unresolved, dtype=int).reshape(-1, 2)
-
-    @property
-    def measure_undecided(self) -> float:
-        """Volume over all working modes that could hide aspects too small to see, in `unit`."""
-        return self._core.measure_undecided
-
-    @property
-    def seconds(self) -> float:
-        """That the computation took."""
-        return self._core.seconds
 
     def locate(self, poses: "np.typing.ArrayLike", mode: Mode) -> "Union[int, np.ndarray]":
         """Which aspect holds poses of shape (k,) or (n, k) in a working mode: an id or an array of shape (n,). UNDECIDED,
@@ -160,6 +117,7 @@ class Map:
         return plot_map(self, modes, level, cells, axes)
 
 
+documented(Map, _core.map_answer())
 documented(Map.plan, _core.plan_question())
 documented(Map.graph, _core.graph_question())
 documented(Map.connect, _core.connect_question())

@@ -38,20 +38,11 @@ class DirectSolutions(SimpleNamespace):
 documented(DirectSolutions, _core.direct_answer())
 
 
-@dataclass(frozen=True, eq=False)
-class Aspect:
+class Aspect(SimpleNamespace):
     """A connected set free of singularities, proved; it is part of one generalized aspect."""
 
-    id: int  # from 1
-    mode: str
-    determinant_sign: int  # of det A, 1 or -1
-    measure: float  # best estimate of its volume in the space of poses, in the unit of the map
-    measure_lower: float  # proved
-    measure_upper: float  # proved
-    boxes: int  # of the tree that are proved to lie in it
-    deepest: np.ndarray  # pose in the middle of the largest ball that was found, (k,)
-    clearance: float  # radius of that ball, proved [m, in SO3 rad]
-    unresolved_with: Tuple[int, ...]  # ids of aspects that could be the same
+
+documented(Aspect, _core.aspect_answer())
 
 
 class BoundaryDistance(SimpleNamespace):

@@ -255,26 +255,29 @@ std::int64_t count_at_most(const AspectMap& map) noexcept {
   return most ? static_cast<std::int64_t>(*most) : -1;
 }
 
-AspectSummary summary_message(const Manipulator& manipulator, const Aspect& aspect) {
-  AspectSummary message;
-  message.id = static_cast<std::uint32_t>(aspect.id);
-  message.working_mode = signs_message(aspect.mode);
-  message.determinant_sign = static_cast<std::int8_t>(aspect.determinant_sign);
-  message.measure = aspect.measure;
-  message.measure_lower = aspect.measure_lower;
-  message.measure_upper = aspect.measure_upper;
-  message.unit = std::string(measure_unit(manipulator.task_space()));
-  message.inside_leaves = aspect.inside_leaves;
-  const auto& names = coordinate_names(manipulator.task_space());
-  for (std::size_t i = 0; i < aspect.bounds.dimension; ++i) {
-    message.coordinate_names.push_back(i < names.size() ? names[i] : "");
-    message.lower.push_back(aspect.bounds.lower[i]);
-    message.upper.push_back(aspect.bounds.upper[i]);
+std::vector<AspectSummary> summary_messages(const std::shared_ptr<const AspectMap>& map) {
+  std::vector<AspectSummary> messages;
+  for (const ask::MappedAspect& mapped : ask::answer_of(map).aspects) {
+    const Aspect& aspect = mapped.aspect;
+    AspectSummary& message = messages.emplace_back();
+    message.id = static_cast<std::uint32_t>(aspect.id);
+    message.working_mode = signs_message(aspect.mode);
+    message.determinant_sign = static_cast<std::int8_t>(aspect.determinant_sign);
+    message.measure = aspect.measure;
+    message.measure_lower = aspect.measure_lower;
+    message.measure_upper = aspect.measure_upper;
+    message.unit = mapped.unit;
+    message.inside_leaves = aspect.inside_leaves;
+    for (const ask::NamedRange& each : mapped.bounds) {
+      message.coordinate_names.push_back(each.name);
+      message.lower.push_back(each.lower);
+      message.upper.push_back(each.upper);
+    }
+    message.deepest_pose = pose_message(platform_in_base(*map->manipulator(), aspect.deepest));
+    message.deepest_clearance = aspect.deepest_clearance;
+    message.unresolved_with.assign(aspect.unresolved_with.begin(), aspect.unresolved_with.end());
   }
-  message.deepest_pose = pose_message(platform_in_base(manipulator, aspect.deepest));
-  message.deepest_clearance = aspect.deepest_clearance;
-  message.unresolved_with.assign(aspect.unresolved_with.begin(), aspect.unresolved_with.end());
-  return message;
+  return messages;
 }
 
 MetricDistance distance_message(const Manipulator& manipulator, const SolvedPose& solved,

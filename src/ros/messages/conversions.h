@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_MESSAGES_CONVERSIONS_H
 #define PARALLEL_ASPECTS_ROS_MESSAGES_CONVERSIONS_H
 
-#include "parallel_aspects/ask/connect.h"
+#include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/kinematics/kinematics.h"
@@ -27,6 +27,7 @@
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Transform.h>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -82,7 +83,8 @@ AssemblyCandidates candidates_message(const Manipulator& manipulator, const Trac
 /// Upper bound of the number of aspects with a pose in the region, proved; -1 where none is.
 std::int64_t count_at_most(const AspectMap& map) noexcept;
 
-AspectSummary summary_message(const Manipulator& manipulator, const Aspect& aspect);
+/// Of all aspects, by id.
+std::vector<AspectSummary> summary_messages(const std::shared_ptr<const AspectMap>& map);
 
 /// What the distance of the configuration at `solved` is. `of_leg`: whether the boundary is one leg's, as
 /// serial singularities and limits are.

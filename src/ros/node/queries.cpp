@@ -32,18 +32,16 @@ bool any_on(const std::vector<SolvedConfiguration>& solutions, const RoadmapComp
   });
 }
 
-void list_aspects(const Manipulator& manipulator, const AspectMap& map, const ListAspects::Request& request,
+void list_aspects(const std::shared_ptr<const AspectMap>& map, const ListAspects::Request& request,
                   const std::vector<SolvedConfiguration>& solutions, ListAspects::Response& response) {
-  const auto holds_one = [&](const Aspect& aspect) {
-    return std::any_of(solutions.begin(), solutions.end(), [&](const SolvedConfiguration& solution) {
-      return solution.aspect == static_cast<std::uint32_t>(aspect.id);
-    });
+  const auto holds_one = [&](const AspectSummary& aspect) {
+    return std::any_of(solutions.begin(), solutions.end(),
+                       [&](const SolvedConfiguration& solution) { return solution.aspect == aspect.id; });
   };
-  for (const Aspect& aspect : map.aspects())
-    if (!request.at_configuration || holds_one(aspect))
-      response.aspects.push_back(summary_message(manipulator, aspect));
-  response.count_at_most = count_at_most(map);
-  response.measure_undecided = map.measure_undecided();
+  for (AspectSummary& aspect : summary_messages(map))
+    if (!request.at_configuration || holds_one(aspect)) response.aspects.push_back(std::move(aspect));
+  response.count_at_most = count_at_most(*map);
+  response.measure_undecided = map->measure_undecided();
 }
 
 }  // namespace
@@ -161,7 +159,7 @@ ListAspects::Response Queries::answer(const ListAspects::Request& request) const
   if (known.map || meant.status.code != Status::OK) response.status = meant.status;
   if (meant.status.code != Status::OK) return response;
   const auto at = messages(meant);
-  if (known.map) list_aspects(*manipulator_, *known.map, request, at, response);
+  if (known.map) list_aspects(known.map, request, at, response);
   if (!known.roadmap) return response;
   for (const RoadmapSide& side : known.roadmap->sides()) {
     const RoadmapComponents message = components_message(side);

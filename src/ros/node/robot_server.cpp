@@ -420,9 +420,7 @@ MapProgress RobotServer::wait_for_map(MapWorker::Job job) {
 
 void RobotServer::finish(const MapProgress& progress, ComputeMapResult result) {
   if (progress.state == MapProgress::COMPLETE) {
-    if (const auto map = worker_.map())
-      for (const Aspect& aspect : map->aspects())
-        result.aspects.push_back(summary_message(*setup_.mechanism->manipulator(), aspect));
+    if (const auto map = worker_.map()) result.aspects = summary_messages(map);
     result.proved_count = progress.proved_count;
     result.count_at_most = progress.count_at_most;
     result.seconds = progress.seconds;

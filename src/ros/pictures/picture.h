@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_H
 
-#include "parallel_aspects/aspects/map_pictures.h"
+#include "aspects/pictures/map_pictures.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/messages/conversions.h"
 

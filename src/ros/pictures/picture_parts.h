@@ -2,8 +2,8 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_PARTS_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_PARTS_H
 
+#include "aspects/pictures/map_pictures.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 #include "ros/pictures/marker_batch.h"
 
 #include <functional>

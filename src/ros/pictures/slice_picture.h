@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_SLICE_PICTURE_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_SLICE_PICTURE_H
 
-#include "parallel_aspects/aspects/map_pictures.h"
+#include "aspects/pictures/map_pictures.h"
 #include "ros/parameters/node_options.h"
 #include "ros/pictures/marker_batch.h"
 #include "ros/pictures/marker_colors.h"

@@ -2,9 +2,9 @@
 #ifndef PARALLEL_ASPECTS_ROS_PROBE_PROBE_SOLVER_H
 #define PARALLEL_ASPECTS_ROS_PROBE_PROBE_SOLVER_H
 
+#include "aspects/pictures/map_pictures.h"
 #include "aspects/pictures/palette.h"
 #include "motion/nearest_reachable.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "ros/monitor/map_worker.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/programs/rviz_view.h"
 
-#include "parallel_aspects/aspects/map_pictures.h"
+#include "aspects/pictures/map_pictures.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "ros/pictures/domain_picture.h"
 #include "ros/pictures/map_picture.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/joint_painter.h"
 
+#include "aspects/pictures/map_pictures.h"
 #include "model/message_text.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 
 #include <Eigen/Geometry>
 

@@ -2,8 +2,8 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_NEAREST_SINGULARITY_H
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_NEAREST_SINGULARITY_H
 
+#include "aspects/pictures/map_pictures.h"
 #include "model/spherical_links.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 
 #include <Eigen/Core>

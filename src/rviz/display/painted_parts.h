@@ -2,9 +2,9 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_PAINTED_PARTS_H
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_PAINTED_PARTS_H
 
+#include "aspects/pictures/map_pictures.h"
 #include "aspects/pictures/palette.h"
 #include "aspects/surface/joint_surface.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"

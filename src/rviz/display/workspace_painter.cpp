@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/workspace_painter.h"
 
-#include "parallel_aspects/aspects/map_pictures.h"
+#include "aspects/pictures/map_pictures.h"
 #include "ros/labels/placed_labels.h"
 
 #include <Eigen/Geometry>

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_PANEL_H
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_PANEL_H
 
-#include "parallel_aspects/aspects/map_pictures.h"
+#include "aspects/pictures/map_pictures.h"
 #include "tools/drawing/outlines.h"
 #include "tools/drawing/page_elements.h"
 

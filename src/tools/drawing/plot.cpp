@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/plot.h"
 
+#include "aspects/pictures/map_pictures.h"
 #include "model/angles.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 #include "tools/drawing/page.h"
 #include "tools/drawing/solid_view.h"
 #include "tools/report/reports.h"

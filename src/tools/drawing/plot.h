@@ -2,8 +2,8 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_PLOT_H
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_PLOT_H
 
+#include "aspects/pictures/map_pictures.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "tools/drawing/page_elements.h"
 #include "tools/drawing/panel.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/uniqueness_drawing.h"
 
+#include "aspects/pictures/map_pictures.h"
 #include "aspects/pictures/singular_curves.h"
 #include "model/angles.h"
 #include "model/message_text.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "tools/drawing/page.h"
 #include "tools/drawing/plot.h"

@@ -23,7 +23,7 @@ json JsonWriter::json_of(const std::vector<HeldCoordinate>& values) const {
 }
 
 json JsonWriter::json_of(const std::vector<ask::NamedRange>& ranges) const {
-  json object;
+  json object = {{"lower", json::object()}, {"upper", json::object()}};
   for (const ask::NamedRange& each : ranges) {
     object["lower"][each.name] = json_of(each.lower);
     object["upper"][each.name] = json_of(each.upper);

@@ -14,26 +14,8 @@
 namespace parallel_aspects::tools {
 namespace {
 
-using nlohmann::json;
-
 constexpr int bar_width = 40;
 constexpr std::size_t max_pairs = 12;  // that are listed by themselves
-
-json json_range(const IndexRange& range) {
-  return {{"lower", json_number(range.lower)}, {"upper", json_number(range.upper)}};
-}
-
-json json_basin(const AspectMap& map, const Basin& basin) {
-  json object = {{"aspect", basin.aspect},
-                 {"deepest_index", json_range(basin.depth)},
-                 {"deepest_pose", json_pose(map.manipulator()->task_space(), basin.deepest)},
-                 {"deeper", nullptr},
-                 {"saddle", nullptr}};
-  if (!basin.deeper) return object;
-  object["deeper"] = *basin.deeper;
-  object["saddle"] = json_range(basin.saddle);
-  return object;
-}
 
 /// From the saddle to the depth, on a scale from 0 to `largest`.
 std::string bar(const Basin& basin, double largest) {
@@ -43,22 +25,6 @@ std::string bar(const Basin& basin, double largest) {
   };
   const std::size_t from = basin.deeper ? place(basin.saddle.upper) : 0, to = place(basin.depth.lower);
   return std::string(from, ' ') + std::string(std::max<std::size_t>(1, to > from ? to - from : 1), '#');
-}
-
-std::string persistence_text(const AspectMap& map, const MapBasins& basins) {
-  double largest = 0.0;
-  for (const Basin& basin : basins.basins) largest = std::max(largest, basin.depth.upper);
-  TextTable table({">basin", ">aspect", "largest " + index_name(basins.index), ">merges into", "at",
-                   "pose of the largest", "0 to " + shown_briefly(largest)});
-  for (std::size_t i = 0; i < basins.basins.size(); ++i) {
-    const Basin& basin = basins.basins[i];
-    table.add({std::to_string(i + 1), std::to_string(basin.aspect), shown_range(basin.depth),
-               basin.deeper ? std::to_string(*basin.deeper + 1) : "-",
-               basin.deeper ? shown_range(basin.saddle) : "-",
-               to_string(map.manipulator()->task_space(), basin.deepest), bar(basin, largest)});
-  }
-  return "\nbasins: parts of aspects that a larger margin separates, and the index at which they merge\n" +
-         table.text();
 }
 
 /// Whether an upper bound says something: the normalised index is 1 at most anyway.
@@ -86,7 +52,32 @@ std::vector<std::size_t> by_falling_size(const AspectMap& map) {
   return places;
 }
 
-/// The pairs of which something is known, and how many others there are.
+}  // namespace
+
+std::string shown_range(const IndexRange& range) {
+  return shown_bound(range.lower, Side::below) + " to " + shown_bound(range.upper, Side::above);
+}
+
+std::string index_name(ParallelIndex index) {
+  return index == ParallelIndex::normalised ? "parallel index" : "|det A|";
+}
+
+std::string persistence_text(const AspectMap& map, const MapBasins& basins) {
+  double largest = 0.0;
+  for (const Basin& basin : basins.basins) largest = std::max(largest, basin.depth.upper);
+  TextTable table({">basin", ">aspect", "largest " + index_name(basins.index), ">merges into", "at",
+                   "pose of the largest", "0 to " + shown_briefly(largest)});
+  for (std::size_t i = 0; i < basins.basins.size(); ++i) {
+    const Basin& basin = basins.basins[i];
+    table.add({std::to_string(i + 1), std::to_string(basin.aspect), shown_range(basin.depth),
+               basin.deeper ? std::to_string(*basin.deeper + 1) : "-",
+               basin.deeper ? shown_range(basin.saddle) : "-",
+               to_string(map.manipulator()->task_space(), basin.deepest), bar(basin, largest)});
+  }
+  return "\nbasins: parts of aspects that a larger margin separates, and the index at which they merge\n" +
+         table.text();
+}
+
 std::string pairs_text(const AspectMap& map, const MapBasins& basins) {
   std::string text;
   std::size_t listed = 0, unbounded = 0;
@@ -101,33 +92,6 @@ std::string pairs_text(const AspectMap& map, const MapBasins& basins) {
     text += "  " + counted(unbounded, "pair") + (listed > 0 ? " more" : "") + ": no useful bound of the " +
             index_name(basins.index) + "\n";
   return text;
-}
-
-}  // namespace
-
-std::string shown_range(const IndexRange& range) {
-  return shown_bound(range.lower, Side::below) + " to " + shown_bound(range.upper, Side::above);
-}
-
-std::string index_name(ParallelIndex index) {
-  return index == ParallelIndex::normalised ? "parallel index" : "|det A|";
-}
-
-void add_depths(const AspectMap& map, const MapBasins& basins, Report& report) {
-  report.json["index"] = name(basins.index);
-  for (std::size_t i = 0; i < basins.deepest.size(); ++i)
-    report.json["aspects"][i]["deepest_index"] = json_range(basins.deepest[i]);
-  report.json["bottlenecks"] = json::array();
-  for (std::size_t i = 0; i < basins.bottlenecks.size(); ++i)
-    report.json["bottlenecks"].push_back(
-        {{"aspects", map.unresolved()[i]}, {"bottleneck", json_range(basins.bottlenecks[i])}});
-  report.text += pairs_text(map, basins);
-}
-
-void add_persistence(const AspectMap& map, const MapBasins& basins, Report& report) {
-  report.json["basins"] = json::array();
-  for (const Basin& basin : basins.basins) report.json["basins"].push_back(json_basin(map, basin));
-  report.text += persistence_text(map, basins);
 }
 
 std::string bottleneck_text(ParallelIndex index, const Bottleneck& bottleneck) {

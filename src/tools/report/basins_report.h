@@ -15,12 +15,11 @@ std::string shown_range(const IndexRange& range);
 /// "parallel index" or "|det A|".
 std::string index_name(ParallelIndex index);
 
-/// Adds to each aspect of a report of `aspects map` its largest index, and how well those that could be one
-/// are connected.
-void add_depths(const AspectMap& map, const MapBasins& basins, Report& report);
+/// The pairs that could be one of which something is known, and how many others there are.
+std::string pairs_text(const AspectMap& map, const MapBasins& basins);
 
 /// `aspects map --persistence`: the basins of each aspect, as a table with bars.
-void add_persistence(const AspectMap& map, const MapBasins& basins, Report& report);
+std::string persistence_text(const AspectMap& map, const MapBasins& basins);
 
 /// `aspects connect`: the largest index that a path can keep.
 std::string bottleneck_text(ParallelIndex index, const Bottleneck& bottleneck);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/map_contents.h"
-#include "aspects/pictures/palette.h"
 #include "model/linear_algebra.h"
 #include "model/message_text.h"
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "tools/report/answer_json.h"
 #include "tools/report/basins_report.h"
 #include "tools/report/constraints_report.h"
 #include "tools/report/report.h"
@@ -16,60 +16,8 @@
 namespace parallel_aspects::tools {
 namespace {
 
-using nlohmann::json;
-
 // An aspect with a smaller share of the largest is not listed by itself.
 constexpr double small_share = 0.01;
-
-json json_aspect(const AspectMap& map, const Aspect& aspect, Rgb color) {
-  return {{"id", aspect.id},
-          {"working_mode", aspect.mode.signs()},
-          {"det_a_sign", aspect.determinant_sign},
-          {"measure", json_number(aspect.measure)},
-          {"measure_lower", json_number(aspect.measure_lower)},
-          {"measure_upper", json_number(aspect.measure_upper)},
-          {"unit", map.unit()},
-          {"inside_leaves", aspect.inside_leaves},
-          {"bounding_box", json_box(map.coordinates(), aspect.bounds)},
-          {"deepest_pose", json_pose(map.manipulator()->task_space(), aspect.deepest)},
-          {"clearance", json_number(aspect.deepest_clearance)},
-          {"color", color_text(color)},
-          {"unresolved_with", aspect.unresolved_with}};
-}
-
-/// Null where the map was loaded.
-json json_symmetry(const AspectMap& map) {
-  if (!map.symmetry_use()) return nullptr;
-  return {{"motions", map.symmetry_use()->motions}, {"computed_modes", map.symmetry_use()->computed_modes}};
-}
-
-json json_map(const AspectMap& map) {
-  const TaskSpace space = map.manipulator()->task_space();
-  json object = {{"mechanism", map.manipulator()->name()},
-                 {"task_space", std::string(name(space))},
-                 {"slice", json_slice(map.slice())},
-                 {"region", json_box(map.coordinates(), map.region())},
-                 {"resolution", json_number(map.resolution())},
-                 {"seconds", json_number(map.seconds())},
-                 {"symmetry", json_symmetry(map)},
-                 {"unit", map.unit()},
-                 {"working_modes", json::array()},
-                 {"aspects", json::array()},
-                 {"proved_count", map.proved_count()},
-                 {"cut_by_region", is_cut_by_region(map)},
-                 {"count_at_most", map.count_at_most() ? json(*map.count_at_most()) : json()},
-                 {"indeterminate_leaves", map.indeterminate_leaves()},
-                 {"inside_components", map.aspects().size()},
-                 {"unresolved", map.unresolved()},
-                 {"margins", json_margins(map.manipulator()->constraints().margins)},
-                 {"tolerance", json_number(map.manipulator()->tolerance())},
-                 {"measure_undecided", json_number(map.measure_undecided())}};
-  for (const WorkingMode& mode : map.working_modes()) object["working_modes"].push_back(mode.signs());
-  const std::vector<Rgb> colors = aspect_colors(map.aspects());
-  for (std::size_t i = 0; i < colors.size(); ++i)
-    object["aspects"].push_back(json_aspect(map, map.aspects()[i], colors[i]));
-  return object;
-}
 
 bool holds_joint(const AspectMap& map) { return map.slice() && map.slice()->joint; }
 
@@ -213,8 +161,8 @@ std::string map_text(const AspectMap& map, bool all_aspects, const MapBasins* ba
 
 }  // namespace
 
-json json_margins(const Margins& margins) {
-  json object = json::object();
+nlohmann::json json_margins(const Margins& margins) {
+  nlohmann::json object = nlohmann::json::object();
   for (const NamedMargin& margin : named_margins)
     if (margins.*margin.member > 0.0) object[std::string(margin.name)] = json_number(margins.*margin.member);
   return object;
@@ -234,36 +182,13 @@ std::string aspect_count(const AspectMap& map) {
          " (" + counted(components, "component") + "; " + found + ")";
 }
 
-Report report_map(const AspectMap& map, const MapReportOptions& options) {
-  Report report{json_map(map), map_text(map, options.all_aspects, options.basins)};
-  if (options.basins != nullptr) add_depths(map, *options.basins, report);
-  const Report bounds = report_bounds(map, options.verbose);
-  report.json.update(bounds.json);
-  report.text += bounds.text;
-  if (!options.no_aspect.empty()) report.text += "\nnote: " + options.no_aspect + "\n";
-  report.json["no_aspect"] = options.no_aspect.empty() ? json() : json(options.no_aspect);
-  report.json["loaded"] = options.loaded;
-  return report;
-}
-
 namespace {
-
-using nlohmann::json;
 
 std::string leg_name(const AspectMap& map, const Neighbours& pair) {
   return map.manipulator()->leg(pair.leg).name;
 }
 
-json json_neighbours(const AspectMap& map, const Neighbours& pair) {
-  const bool serial = pair.crossing == Crossing::serial;
-  return {{"aspects", {pair.first, pair.second}},
-          {"crossing", name(pair.crossing)},
-          {"leg", serial ? json(leg_name(map, pair)) : json(nullptr)},
-          {"proved", pair.proved},
-          {"pose", json_pose(map.manipulator()->task_space(), pair.pose)}};
-}
-
-std::string neighbours_text(const AspectMap& map, const std::vector<Neighbours>& neighbours) {
+std::string touching_text(const AspectMap& map, const std::vector<Neighbours>& neighbours) {
   if (neighbours.empty()) return "\naspects that touch: none were found\n";
   TextTable table({">aspect", ">touches", "through", "", "near"});
   for (const Neighbours& pair : neighbours)
@@ -273,23 +198,29 @@ std::string neighbours_text(const AspectMap& map, const std::vector<Neighbours>&
   return "\naspects that touch:\n" + table.text();
 }
 
-/// The leg across whose singularity no neighbours are looked for, since its joint is held; null without one.
-json held_leg(const AspectMap& map) {
-  if (!map.slice() || !map.slice()->joint) return nullptr;
-  const Leg& leg = map.manipulator()->leg(map.slice()->joint->leg);
-  return leg.kind().moves_proximal_point ? json(leg.name) : json(nullptr);
-}
-
 }  // namespace
 
-void add_neighbours(const AspectMap& map, const std::vector<Neighbours>& neighbours, Report& report) {
-  report.json["neighbours"] = json::array();
-  for (const Neighbours& pair : neighbours) report.json["neighbours"].push_back(json_neighbours(map, pair));
-  report.text += neighbours_text(map, neighbours);
-  report.json["neighbours_not_across"] = held_leg(map);
-  if (!held_leg(map).is_null())
-    report.text += "those across B_jj = 0 of " + held_leg(map).get<std::string>() +
-                   ", whose joint is held, are not looked for\n";
+Report report_map(const ask::MapAnswer& answer, const MapReportOptions& options) {
+  const AspectMap& map = *answer.map;
+  const MapBasins* basins = answer.basins ? &*answer.basins : nullptr;
+  const Report bounds = report_bounds(map, options.verbose);
+  Report report{answer_json(*map.manipulator(), answer), map_text(map, options.all_aspects, basins)};
+  report.json["mechanism"] = map.manipulator()->name();
+  report.json.update(bounds.json);
+  if (basins != nullptr) report.text += pairs_text(map, *basins);
+  report.text += bounds.text;
+  if (!answer.no_aspect.empty()) report.text += "\nnote: " + answer.no_aspect + "\n";
+  if (basins != nullptr && !basins->basins.empty()) report.text += persistence_text(map, *basins);
+  return report;
+}
+
+std::string neighbours_text(const ask::MapAnswer& answer) {
+  if (!answer.neighbours) return "";
+  const std::string text = touching_text(*answer.map, *answer.neighbours);
+  if (!answer.neighbours_not_across) return text;
+  return text + "those across B_jj = 0 of " +
+         answer.map->manipulator()->leg(answer.neighbours_not_across->index).name +
+         ", whose joint is held, are not looked for\n";
 }
 
 }  // namespace parallel_aspects::tools

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_REPORT_REPORTS_H
 #define PARALLEL_ASPECTS_TOOLS_REPORT_REPORTS_H
 
+#include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/connectivity.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
@@ -18,11 +19,8 @@ namespace parallel_aspects::tools {
 
 /// How much the text says.
 struct MapReportOptions {
-  bool loaded = false;       ///< whether the map is from a file
   bool all_aspects = false;  ///< lists those below 1 % of the largest too, which are one line otherwise
   bool verbose = false;      ///< lists every joint that a note is about
-  const MapBasins* basins = nullptr;  ///< of the map, where they were looked for
-  std::string no_aspect{};            ///< why there is none, where that is so
 };
 
 /// How many aspects there are, claiming no more than is proved: "exactly 10 aspects (proved)".
@@ -32,10 +30,10 @@ std::string aspect_count(const AspectMap& map);
 nlohmann::json json_margins(const Margins& margins);
 
 /// `aspects map`: the table of aspects, and what is proved and what is not.
-Report report_map(const AspectMap& map, const MapReportOptions& options);
+Report report_map(const ask::MapAnswer& answer, const MapReportOptions& options);
 
-/// `aspects map --neighbours`: adds the pairs of aspects that touch.
-void add_neighbours(const AspectMap& map, const std::vector<Neighbours>& neighbours, Report& report);
+/// `aspects map --neighbours`: the pairs of aspects that touch.
+std::string neighbours_text(const ask::MapAnswer& answer);
 
 /// `aspects map` with six degrees of freedom: samples and components by working mode and sign of det A.
 Report report_roadmap(const PoseRoadmap& roadmap, bool verbose = false);

@@ -41,7 +41,7 @@ json json_roadmap(const PoseRoadmap& roadmap) {
                  {"sides", json::array()}};
   for (const RoadmapSide& side : roadmap.sides())
     object["sides"].push_back({{"working_mode", side.mode.signs()},
-                               {"det_a_sign", side.determinant_sign},
+                               {"determinant_sign", side.determinant_sign},
                                {"samples", side.poses.size()},
                                {"component_sizes", side.component_sizes},
                                {"largest_indices", largest_indices(roadmap, side)},

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/map/empty_map.h"
+#include "ask/question_parts.h"
+#include "model/message_text.h"
+#include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/problems.h"
@@ -7,59 +9,28 @@
 #include "tools/computation.h"
 #include "tools/drawing/plot.h"
 #include "tools/drawing/result_charts.h"
-#include "tools/numbers.h"
 #include "tools/output_file.h"
 #include "tools/question_options.h"
-#include "tools/report/basins_report.h"
 #include "tools/report/reports.h"
 #include "tools/subcommands.h"
-#include "tools/subcommands/unlimited_count.h"
 
-#include <filesystem>
+#include <algorithm>
+#include <cmath>
+#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace parallel_aspects::tools {
 namespace {
 
-constexpr unsigned max_threads = 1024;
-
-struct MapArguments {
-  RobotChoice robot;
-  std::string slice, modes;        // empty where not given
-  std::string resolution, region;  // likewise
-  std::string threads;
-  std::string load_file, save_file;  // empty where not given
-  std::string picture_file, basins_file;
-  bool neighbours = false;
+struct MapArguments : QuestionArguments {
+  std::string picture_file, basins_file;  // empty where not given
   bool without_limits = false;
-  bool no_symmetry = false;
-  bool complete = false;
   bool all_aspects = false;
   bool verbose = false;
-  bool persistence = false;
-  std::string index_text;
-  ParallelIndex index = ParallelIndex::normalised;
-  RoadmapArguments roadmap;
-  ConstraintArguments constraints;
-
-  bool wants_basins() const { return persistence || !basins_file.empty(); }
 };
-
-/// What the command line says, and else the robot's file; the region is not yet looked at.
-MapOptions parse_options(const MapArguments& arguments, const MapConfig& section, Problems& problems) {
-  MapOptions options;
-  options.resolution = section.resolution;
-  options.threads = section.threads.value_or(options.threads);
-  options.extra_levels = section.extra_levels.value_or(options.extra_levels);
-  options.use_symmetry = !arguments.no_symmetry;
-  options.complete = arguments.complete;
-  if (!arguments.resolution.empty())
-    options.resolution = parse_positive("--resolution", arguments.resolution, problems);
-  if (!arguments.threads.empty())
-    options.threads = parse_count("--threads", arguments.threads, max_threads, problems);
-  return options;
-}
 
 /// The ranges of a robot's file that belong to the free positions of a slice.
 std::optional<Box> region_of_slice(const Box& region, const MapSlice& slice, const std::string& file,
@@ -78,60 +49,52 @@ std::optional<Box> region_of_slice(const Box& region, const MapSlice& slice, con
   return result.dimension > 0 ? std::optional<Box>(result) : std::nullopt;
 }
 
-/// Where to look, as the command line says, and else the robot's file; nothing where neither does.
-std::optional<Box> find_region(const MapArguments& arguments, const MapSection& section, TaskSpace space,
-                               const std::optional<MapSlice>& slice, Problems& problems) {
-  std::vector<std::string> names = slice ? coordinate_names(*slice) : coordinate_names(space);
-  names.resize(slice ? slice->free_positions() : directions(space));
-  if (!arguments.region.empty() && slice && slice->joint)
-    problems.emplace_back(
-        "--region is of positions, but here every direction and orientation is searched and no more; leave "
-        "it "
-        "out.");
-  else if (!arguments.region.empty() && names.empty())
-    problems.emplace_back(
-        "--region is of positions, but here every orientation is searched and no more; "
-        "leave it out.");
-  else if (!arguments.region.empty())
-    return parse_region("--region", names, arguments.region, problems);
-  if (!arguments.region.empty()) return std::nullopt;
-  if (slice && slice->joint) return std::nullopt;
-  const auto region = resolve_region(section.config, space, section.file, problems);
-  return region && slice ? region_of_slice(*region, *slice, section.file, problems) : region;
+/// Where to look, as the robot's file says; empty where it does not.
+std::vector<ask::NamedRange> find_region(const MapSection& section, TaskSpace space,
+                                         const std::optional<MapSlice>& slice, Problems& problems) {
+  if (slice && slice->joint) return {};
+  std::optional<Box> region = resolve_region(section.config, space, section.file, problems);
+  if (region && slice) region = region_of_slice(*region, *slice, section.file, problems);
+  const std::vector<std::string> names = slice ? coordinate_names(*slice) : coordinate_names(space);
+  std::vector<ask::NamedRange> ranges;
+  for (std::size_t i = 0; region && i < region->dimension; ++i)
+    ranges.push_back({names[i], region->lower[i], region->upper[i]});
+  return ranges;
 }
 
-void refuse_options_of_boxes(const MapArguments& arguments, const Manipulator& manipulator, const Pose& home,
+/// Where there is no map of boxes, what is of these alone.
+void refuse_options_of_boxes(const MapArguments& arguments, const Manipulator& robot, const Pose& home,
                              Problems& problems) {
-  const auto refuse = [&problems](bool is_given, const std::string& options, const std::string& remedy) {
-    if (is_given)
-      problems.push_back(options + " for maps of boxes, and in SE3 only slices have these; " + remedy + ".");
-  };
-  const std::string leave = "give --slice, or leave ";
-  refuse(!arguments.resolution.empty(), "--resolution is", "give --slice, or --samples for the roadmap");
-  refuse(!arguments.load_file.empty() || !arguments.save_file.empty(), "--load and --save are",
-         leave + "them out");
-  refuse(!arguments.picture_file.empty(), "--picture is",
-         "give one that leaves two coordinates free, such as --slice " + example_of_plane(manipulator, home));
-  refuse(arguments.wants_basins() || !arguments.index_text.empty(),
-         "--persistence, --persistence-picture and --index are", leave + "them out");
-  refuse(arguments.neighbours, "--neighbours is", leave + "it out");
-  refuse(arguments.without_limits, "--without-limits is", leave + "it out");
-  refuse(arguments.no_symmetry, "--no-symmetry is", leave + "it out");
-  refuse(arguments.complete, "--complete is", "leave it out");
-  refuse(!arguments.modes.empty(), "--mode is", leave + "it out");
+  std::vector<std::string> given;
+  for (const char* field : {"resolution", "mode", "load", "save", "extra_levels", "index"})
+    if (!arguments.texts.at(field).empty()) given.push_back(option_name(field));
+  for (const auto& [field, is_given] : arguments.flags)
+    if (is_given) given.push_back(option_name(field));
+  if (arguments.without_limits) given.emplace_back("--without-limits");
+  if (!arguments.basins_file.empty()) given.emplace_back("--persistence-picture");
+  const std::string boxes = " for maps of boxes, and in SE3 only slices have these; give ";
+  if (given.size() == 1)
+    problems.push_back(given.front() + " is" + boxes + "--slice, or leave it out.");
+  else if (!given.empty())
+    problems.push_back(enumerated(given) + " are" + boxes + "--slice, or leave them out.");
+  if (!arguments.picture_file.empty())
+    problems.push_back("--picture is" + boxes + "one that leaves two coordinates free, such as --slice " +
+                       example_of_plane(robot, home) + ".");
 }
 
 // With six degrees of freedom there is a roadmap in place of a map.
-Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const Pose& home,
-                      const MapArguments& arguments, const MapSection& section,
+Report roadmap_report(const std::shared_ptr<const Manipulator>& robot, const Pose& home,
+                      const MapArguments& arguments, const ask::MapQuestion& question, Problems problems,
                       const Surroundings& surroundings) {
-  Problems problems;
-  RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
-  options.threads = parse_options(arguments, section.config, problems).threads;
-  options.region = find_region(arguments, section, manipulator->task_space(), std::nullopt, problems);
-  refuse_options_of_boxes(arguments, *manipulator, home, problems);
+  RoadmapOptions options = question.roadmap.options({});
+  if (question.threads) options.threads = question.threads->value;
+  ask::ProblemList found;
+  if (!question.region.empty())
+    options.region = ask::box_of("region", {"x", "y", "z"}, question.region, found);
+  for (const std::string& each : texts_of(found, option_name)) problems.push_back(each);
+  refuse_options_of_boxes(arguments, *robot, home, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  return report_roadmap(*compute_roadmap(std::move(manipulator), options, surroundings), arguments.verbose);
+  return report_roadmap(*compute_roadmap(robot, options, surroundings), arguments.verbose);
 }
 
 /// What to do for a picture of two coordinates, where the map has another number of them.
@@ -146,50 +109,6 @@ std::string picture_remedy(const Manipulator& manipulator, const Pose& home) {
   return "; give a slice that leaves two free, such as --slice " + plane + ".";
 }
 
-/// The options that depend on the robot.
-void add_coverage(const MapArguments& arguments, const MapSection& section, const Manipulator& manipulator,
-                  const Pose& home, MapOptions& options) {
-  Problems problems;
-  if (!arguments.roadmap.samples.empty() || !arguments.roadmap.seed.empty())
-    problems.push_back("--samples and --seed are for roadmaps, in SE3 without --slice; the map of '" +
-                       manipulator.name() + "' is one of boxes, so give --resolution.");
-  options.modes = parse_modes("--mode", manipulator, arguments.modes, problems);
-  if (!arguments.slice.empty())
-    options.slice = parse_slice("--slice", manipulator, arguments.slice, problems);
-  if (arguments.complete && !arguments.slice.empty())
-    problems.push_back("--complete is for maps of all poses, not for slices; leave out one of the two.");
-  const std::size_t whole = degrees_of_freedom(manipulator.task_space());
-  if (!arguments.slice.empty() && !problems.empty() && whole == 2)
-    problems.back() += " The map of T2 has two coordinates as it is, so that it needs no --slice.";
-  if (problems.empty())
-    options.region = find_region(arguments, section, manipulator.task_space(), options.slice, problems);
-  const std::size_t dimension = options.slice ? options.slice->dimension() : whole;
-  if (problems.empty() && !arguments.picture_file.empty() && dimension != 2)
-    problems.push_back("--picture is of two coordinates, but the map has " + std::to_string(dimension) +
-                       picture_remedy(manipulator, home));
-  if (!problems.empty()) throw InvalidDescription(std::move(problems));
-}
-
-std::shared_ptr<const AspectMap> compute(std::shared_ptr<const Manipulator> manipulator,
-                                         const MapOptions& options, const Surroundings& surroundings) {
-  return completed(
-             surroundings,
-             [&](const MapControl& control) { return compute_aspect_map(manipulator, options, control); })
-      .map;
-}
-
-/// The map in the file that is to be loaded; null, with the reason as a message, where it is of no use. A
-/// file that the map is saved to need not be there the first time.
-std::shared_ptr<const AspectMap> load(const std::shared_ptr<const Manipulator>& manipulator,
-                                      const MapOptions& options, const MapArguments& arguments,
-                                      const Surroundings& surroundings) {
-  const std::string& file = arguments.load_file;
-  if (file.empty() || (file == arguments.save_file && !std::filesystem::exists(file))) return nullptr;
-  const MapResult result = load_map(manipulator, options, file);
-  if (result.status != MapStatus::complete) surroundings.messages << result.message << std::endl;
-  return result.map;
-}
-
 // The boxes that are proved, and those that are not.
 void draw(const std::shared_ptr<const AspectMap>& map, const std::string& file) {
   PlotOptions options;
@@ -197,96 +116,133 @@ void draw(const std::shared_ptr<const AspectMap>& map, const std::string& file) 
   write_picture_file(file, draw_plot(map, options));
 }
 
-MapBasins basins_of(const AspectMap& map, const MapArguments& arguments, const Surroundings& surroundings) {
-  const auto basins =
-      find_basins(map, arguments.index, arguments.wants_basins() ? BasinDetail::basins : BasinDetail::depths,
-                  control_of(surroundings));
-  if (!basins) throw Interrupted{};
-  return *basins;
+/// What is asked, by the command line and else by the robot's file.
+ask::MapQuestion read(const MapArguments& arguments, const Manipulator& robot, const MapSection& section,
+                      Problems& problems) {
+  auto question = read_question<ask::MapQuestion>(robot, arguments.texts, problems, arguments.flags);
+  const MapConfig& config = section.config;
+  if (!question.source.resolution) question.source.resolution = config.resolution;
+  if (!question.threads && config.threads) question.threads.emplace().value = *config.threads;
+  if (!question.extra_levels && config.extra_levels)
+    question.extra_levels.emplace().value = static_cast<unsigned>(*config.extra_levels);
+  if (question.region.empty() && problems.empty())
+    question.region = find_region(section, robot.task_space(), question.source.hold, problems);
+  if (!question.index) question.index = ParallelIndex::normalised;
+  return question;
 }
 
-std::string reason_of_none(const AspectMap& map, const Surroundings& surroundings) {
-  const MapControl control = control_of(surroundings);
-  std::string reason = why_empty(map, control);
-  if (is_cancelled(control)) throw Interrupted{};
-  return reason;
+void check_picture(const MapArguments& arguments, const Manipulator& robot, const Pose& home,
+                   const std::optional<MapSlice>& slice, Problems& problems) {
+  const std::size_t dimension = slice ? slice->dimension() : degrees_of_freedom(robot.task_space());
+  if (problems.empty() && !arguments.picture_file.empty() && dimension != 2)
+    problems.push_back("--picture is of two coordinates, but the map has " + std::to_string(dimension) +
+                       picture_remedy(robot, home));
 }
 
-Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, const MapOptions& options,
-                       const MapArguments& arguments, const Surroundings& surroundings) {
-  std::shared_ptr<const AspectMap> map = load(manipulator, options, arguments, surroundings);
-  const bool loaded = map != nullptr;
-  if (!loaded) map = compute(manipulator, options, surroundings);
-  save_with_gates(*map, arguments.save_file, surroundings);
-  if (!arguments.picture_file.empty()) draw(map, arguments.picture_file);
-  const MapBasins basins = basins_of(*map, arguments, surroundings);
-  Report report = report_map(
-      *map, {loaded, arguments.all_aspects, arguments.verbose, &basins, reason_of_none(*map, surroundings)});
-  if (arguments.persistence) add_persistence(*map, basins, report);
+// Of the smallest ones in the region, all of which the second map could take at most: 256 by 256.
+constexpr double max_boxes_to_count = 65536.0;
+
+// With six legs a box takes some twenty times as long.
+constexpr double max_boxes_with_six_legs = 4096.0;
+
+// Of unit quaternions: four charts, each from -1 to 1 in three coordinates.
+constexpr double charts = 4.0, width_of_chart = 2.0;
+
+double smallest_boxes(const AspectMap& map) {
+  const Box region = map.region();
+  if (region.dimension == 0) return charts * std::pow(width_of_chart / map.resolution(), 3.0);
+  double count = 1.0;
+  for (std::size_t k = 0; k < region.dimension; ++k)
+    count *= std::max(1.0, (region.upper[k] - region.lower[k]) / map.resolution());
+  return count;
+}
+
+// By the region alone: how many leaves a map has within limits, or what time it took, tells little of that
+// without them.
+bool is_cheap(const AspectMap& map) {
+  const bool six_legs = map.manipulator()->leg_count() == max_legs;
+  return smallest_boxes(map) <= (six_legs ? max_boxes_with_six_legs : max_boxes_to_count);
+}
+
+ConstraintKinds limits_of_joints(const Manipulator& manipulator) {
+  ConstraintKinds kinds;
+  kinds[index_of(ConstraintKind::actuated_limits)] = kinds[index_of(ConstraintKind::passive_limits)] = true;
+  return kinds & manipulator.constraint_kinds();
+}
+
+// Nothing where no position is free.
+std::optional<Box> searched_positions(const AspectMap& map) {
+  Box positions = map.region();
+  positions.dimension =
+      map.slice() ? map.slice()->free_positions() : directions(map.manipulator()->task_space());
+  return positions.dimension > 0 ? std::optional<Box>(positions) : std::nullopt;
+}
+
+// "A" or "A,B" and the like.
+std::string kinds_text(ConstraintKinds kinds, const std::string& between, const std::string& after) {
+  std::string text;
+  for (const ConstraintKind kind : all_constraint_kinds)
+    if (kinds[index_of(kind)]) text += (text.empty() ? "" : between) + std::string(name(kind)) + after;
+  return text;
+}
+
+/// Where joints have limits: adds how many aspects there are without them in the region of the map, and in
+/// the text, where it is another number, what leaves the limits out. Nothing where there are none, or where
+/// the region has so many boxes that it may take longer than the map, unless it is `asked_for`.
+void add_count_without_limits(const AspectMap& map, const ask::MapQuestion& question, bool asked_for,
+                              const Surroundings& surroundings, Report& report) {
+  const Manipulator& manipulator = *map.manipulator();
+  const ConstraintKinds limits = limits_of_joints(manipulator);
+  if (limits.none() || !(asked_for || is_cheap(map))) return;
+  MapOptions options = options_of(map);
+  options.region = searched_positions(map);
+  options.complete = false;
+  options.use_symmetry = !question.no_symmetry;
+  if (question.threads) options.threads = question.threads->value;
+  const auto free = manipulator.with_constraints(manipulator.constraint_kinds() & ~limits);
+  const auto result = completed(
+      surroundings, [&](const MapControl& control) { return compute_aspect_map(free, options, control); });
+  const std::size_t count = result.map->aspects().size();
+  report.json["without_limits"] = {{"components", count}, {"left_out", nlohmann::json::array()}};
+  for (const ConstraintKind kind : all_constraint_kinds)
+    if (limits[index_of(kind)]) report.json["without_limits"]["left_out"].push_back(name(kind));
+  if (count == map.aspects().size()) return;
+  report.text += "\nwithout limits of joints there are " + std::to_string(count) + " in place of " +
+                 counted(map.aspects().size(), "component") + " here; --no-constraint " +
+                 kinds_text(limits, ",", "") + " leaves them out, and so does constraints: {" +
+                 kinds_text(limits, ", ", ": false") + "} in the YAML\n";
+}
+
+Report map_report(const std::shared_ptr<const Manipulator>& robot, const MapArguments& arguments,
+                  ask::MapQuestion question, const Surroundings& surroundings) {
+  question.persistence = question.persistence || !arguments.basins_file.empty();
+  const ask::MapAnswer answer = asked(robot, question, surroundings);
+  const AspectMap& map = *answer.map;
+  if (!arguments.picture_file.empty()) draw(answer.map, arguments.picture_file);
+  Report report = report_map(answer, {arguments.all_aspects, arguments.verbose});
   if (!arguments.basins_file.empty())
-    write_output_file("Picture", arguments.basins_file, draw_basins(*map, basins));
-  add_count_without_limits(*map, options, arguments.without_limits, surroundings, report);
-  if (arguments.neighbours) add_neighbours(*map, find_neighbours(*map, control_of(surroundings)), report);
+    write_output_file("Picture", arguments.basins_file, draw_basins(map, *answer.basins));
+  add_count_without_limits(map, question, arguments.without_limits, surroundings, report);
+  report.text += neighbours_text(answer);
   return report;
 }
 
-std::vector<Option> options_of(MapArguments& arguments) {
-  std::vector<Option> options = robot_options(arguments.robot);
-  options.push_back(
-      {"--resolution", "R",
-       "Longest edge of an undecided leaf of the base map [m or rad]; by default what suits the robot",
-       &arguments.resolution});
-  options.push_back({"--region", "\"x=0:5 y=0:9\"",
-                     "Where to look: a lower and an upper end of every position that is free [m]; by default "
-                     "all that the legs reach",
-                     &arguments.region, false, Words::assignments});
-  options.push_back(
-      {"--slice", "\"z=1\"",
-       "Map a line, plane or volume of poses: what is held, with its value [m or rad]; the "
-       "rest is free. In SE2 an actuated joint may be held, such as \"strut_1_joint=15\"; ends of "
-       "aspects are then those of (direction, phi), poses still (x, y, phi)",
-       &arguments.slice, false, Words::assignments});
-  options.push_back({"--mode", "\"(+,-)\"",
-                     "Map these working modes only, as signs of B_jj; by default every one", &arguments.modes,
-                     false, Words::signs});
-  options.push_back({"--threads", "N",
-                     "Threads to compute with; by default one a core. The result does not depend on it",
-                     &arguments.threads});
-  options.push_back({"--load", "FILE", "Take the map from this file if it is of this robot and these options",
-                     &arguments.load_file, false, Words::one, FileUse::loaded});
-  options.push_back({"--save", "FILE", "Write the map to this file, for --load", &arguments.save_file, false,
-                     Words::one, FileUse::saved});
-  options.push_back({"--picture", "FILE",
-                     "Draw as SVG or PNG what `aspects plot --leaves` does, where two coordinates are free",
-                     &arguments.picture_file, false, Words::one, FileUse::written});
-  options.push_back({"--persistence-picture", "FILE",
-                     "Draw as SVG what --persistence lists, a bar over the index for each basin",
-                     &arguments.basins_file, false, Words::one, FileUse::written});
-  options.push_back({"--samples", "N",
-                     "With six degrees of freedom: poses of the certified roadmap, by default 1000",
-                     &arguments.roadmap.samples});
-  options.push_back({"--seed", "N", "With six degrees of freedom: seed of its poses, by default 1",
-                     &arguments.roadmap.seed});
-  options.push_back(index_option(arguments.index_text));
-  for (const Option& option : constraint_options(arguments.constraints)) options.push_back(option);
-  return options;
-}
-
-Report report_of(MapArguments arguments, const Surroundings& surroundings) {
+Report report_of(const MapArguments& arguments, const Surroundings& surroundings) {
   Problems problems;
-  arguments.index = parse_index(arguments.index_text, problems);
   const MapSection section = load_map_section(arguments.robot, problems);
-  MapOptions map_options = parse_options(arguments, section.config, problems);
-  check_map_output("--save", arguments.save_file, problems);
   check_picture_file("--picture", arguments.picture_file, problems);
   check_output_file("--persistence-picture", arguments.basins_file, problems);
+  check_texts<ask::MapQuestion>(arguments.texts, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));
-  const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
+  const auto robot = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   const Pose home = mechanism->assembled().pose;
-  if (manipulator->task_space() == TaskSpace::SE3 && arguments.slice.empty())
-    return roadmap_report(manipulator, home, arguments, section, surroundings);
-  add_coverage(arguments, section, *manipulator, home, map_options);
-  Report report = load_or_compute(manipulator, map_options, arguments, surroundings);
+  problems = {};
+  const ask::MapQuestion question = read(arguments, *robot, section, problems);
+  if (robot->task_space() == TaskSpace::SE3 && !question.source.hold)
+    return roadmap_report(robot, home, arguments, question, std::move(problems), surroundings);
+  check_picture(arguments, *robot, home, question.source.hold, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  Report report = map_report(robot, arguments, question, surroundings);
   for (const Note& note : mechanism->notes_in_pieces())
     if (note.is_on_limits_left_out) report.text += "\nnote: " + note.text() + "\n";
   return report;
@@ -296,26 +252,20 @@ Report report_of(MapArguments arguments, const Surroundings& surroundings) {
 
 Subcommand map_subcommand() {
   const auto arguments = std::make_shared<MapArguments>();
-  return {
-      "map",
-      "Compute the certified map of aspects, or with six degrees of freedom a certified roadmap",
-      options_of(*arguments),
-      [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); },
-      {{"--neighbours", "Tell which aspects touch across a singularity, and where that is proved",
-        &arguments->neighbours},
-       {"--without-limits",
+  return question_subcommand<ask::MapQuestion>(
+      "map", "Compute the certified map of aspects, or with six degrees of freedom a certified roadmap",
+      arguments, report_of, {},
+      {{"--picture", "FILE",
+        "Draw as SVG or PNG what `aspects plot --leaves` does, where two coordinates are free",
+        &arguments->picture_file, false, Words::one, FileUse::written},
+       {"--persistence-picture", "FILE",
+        "Draw as SVG what --persistence lists, a bar over the index for each basin", &arguments->basins_file,
+        false, Words::one, FileUse::written}},
+      {{"--without-limits",
         "Count the aspects without limits of joints, too, where that may take longer than the map",
         &arguments->without_limits},
-       {"--no-symmetry", "Compute what symmetries of the robot show to be the same, too",
-        &arguments->no_symmetry},
-       {"--complete",
-        "Prove that no small aspects hide, if possible, in many times the time; needed with three degrees of "
-        "freedom and for fine maps with two",
-        &arguments->complete},
        {"--all", "List aspects below 1 % of the largest too", &arguments->all_aspects},
-       {"--persistence", "List the basins of each aspect: which parts of it a larger margin separates",
-        &arguments->persistence},
-       {"--verbose", "List every joint that a note is about", &arguments->verbose}}};
+       {"--verbose", "List every joint that a note is about", &arguments->verbose}});
 }
 
 }  // namespace parallel_aspects::tools

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/design/design.h"
 #include "model/message_text.h"
 #include "model/spherical_links.h"
 #include "parallel_aspects/ask/robot_description.h"

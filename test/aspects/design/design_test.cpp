@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/design.h"
+#include "aspects/design/design.h"
 
 #include <gtest/gtest.h>
 

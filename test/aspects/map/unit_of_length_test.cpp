@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/map_contents.h"
+#include "aspects/pictures/map_pictures.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/pictures/map_pictures.h"
 #include "aspects/tree/slice_space.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/pictures/singular_curves.h"
 
+#include "aspects/pictures/map_pictures.h"
 #include "model/angles.h"
-#include "parallel_aspects/aspects/map_pictures.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>

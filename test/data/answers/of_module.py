@@ -67,7 +67,7 @@ aspects.save("module.map")
 five_bar.load_map("module.map", resolution=1)
 aspects.outlines("(+,-)", cells=6)
 len(aspects.plot(modes=["(+,-)"], cells=20).axes)
-five_bar.map(slice={"x": 4.5}, modes=["(+,-)"]).aspects
+five_bar.map(slice={"x": 4.5}, mode=["(+,-)"]).aspects
 five_bar.map(region="x=4:5 y=-13:13", resolution=1, threads=1, extra_levels=4).proved_count
 """
 

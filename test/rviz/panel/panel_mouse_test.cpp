@@ -168,9 +168,9 @@ TEST_F(PanelMouse, SaysWhatTheCommandSays) {
   ASSERT_EQ(map["aspects"].size(), 10U);
   for (const nlohmann::json& aspect : map["aspects"]) {
     const QTreeWidgetItem& item = *row(aspect["id"].get<unsigned>());
-    EXPECT_EQ(item.text(1).toStdString(), aspect["det_a_sign"].get<int>() > 0 ? "> 0" : "< 0");
+    EXPECT_EQ(item.text(1).toStdString(), aspect["determinant_sign"].get<int>() > 0 ? "> 0" : "< 0");
     EXPECT_EQ(item.text(2).toStdString(), number_text(aspect["measure"].get<double>(), 3));
-    EXPECT_EQ(item.text(3).toStdString(), number_text(aspect["clearance"].get<double>(), 2));
+    EXPECT_EQ(item.text(3).toStdString(), number_text(aspect["deepest_clearance"].get<double>(), 2));
     EXPECT_TRUE(until([&] { return !item.text(4).isEmpty(); }));
   }
   expect_says("count", std::to_string(map["proved_count"].get<int>()));

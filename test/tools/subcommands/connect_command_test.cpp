@@ -52,8 +52,8 @@ TEST_F(RoadmapCommand, MapOfAStewartPlatformIsARoadmap) {
     samples += sum;
     components += side.at("component_sizes").size();
   }
-  EXPECT_EQ(map.at("sides")[0].at("det_a_sign"), 1);
-  EXPECT_EQ(map.at("sides")[1].at("det_a_sign"), -1);
+  EXPECT_EQ(map.at("sides")[0].at("determinant_sign"), 1);
+  EXPECT_EQ(map.at("sides")[1].at("determinant_sign"), -1);
   EXPECT_LE(samples, 200U);
   EXPECT_EQ(map.at("components_at_most"), components);
   EXPECT_EQ(map.at("constraints"), json::parse(R"(["actuated_limits"])"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_MAP_PICTURES_H
-#define PARALLEL_ASPECTS_ASPECTS_MAP_PICTURES_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_PICTURES_MAP_PICTURES_H
+#define PARALLEL_ASPECTS_ASPECTS_PICTURES_MAP_PICTURES_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_slice.h"
@@ -219,4 +219,4 @@ class JointProjection {
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_MAP_PICTURES_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_PICTURES_MAP_PICTURES_H
