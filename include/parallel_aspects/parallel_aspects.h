@@ -29,6 +29,7 @@ namespace parallel_aspects {}
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/connectivity.h"
+#include "parallel_aspects/aspects/design.h"
 #include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"

@@ -40,11 +40,11 @@ void TextReader::read(const std::string& option, const std::string& text, MapSli
 }
 
 void TextReader::read(const std::string& option, const std::string& text, HeldJoint& value) {
-  value = parse_held_joint(option, robot_, text, problems_);
+  if (robot_ != nullptr) value = parse_held_joint(option, *robot_, text, problems_);
 }
 
 void TextReader::read(const std::string& option, const std::string& text, HeldRange& value) {
-  value = parse_held_range(option, robot_, text, problems_);
+  if (robot_ != nullptr) value = parse_held_range(option, *robot_, text, problems_);
 }
 
 void TextReader::read(const std::string& option, const std::string& text, std::vector<double>& values) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/design/design_parameters.h"
 
-#include "aspects/design/design.h"
 #include "aspects/map/map_plan.h"
 #include "aspects/symmetry/robot_symmetry.h"
 #include "model/overloaded.h"
+#include "parallel_aspects/aspects/design.h"
 
 #include <algorithm>
 #include <array>

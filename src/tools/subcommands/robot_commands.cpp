@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/design/design.h"
 #include "model/message_text.h"
 #include "model/spherical_links.h"
 #include "parallel_aspects/ask/robot_description.h"
+#include "parallel_aspects/aspects/design.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 #include "tools/report/answer_json.h"

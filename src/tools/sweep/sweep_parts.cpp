@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/design/design.h"
+#include "parallel_aspects/aspects/design.h"
 #include "tools/numbers.h"
 #include "tools/sweep/sweep_chart.h"
 #include "tools/sweep/sweep_file.h"

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_SWEEP_SWEEP_PLAN_H
 #define PARALLEL_ASPECTS_TOOLS_SWEEP_SWEEP_PLAN_H
 
-#include "aspects/design/design.h"
+#include "parallel_aspects/aspects/design.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"
 

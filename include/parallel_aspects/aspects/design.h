@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_DESIGN_DESIGN_H
-#define PARALLEL_ASPECTS_ASPECTS_DESIGN_DESIGN_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_DESIGN_H
+#define PARALLEL_ASPECTS_ASPECTS_DESIGN_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_control.h"
@@ -85,4 +85,4 @@ const char* name(DesignStatus status) noexcept;
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_DESIGN_DESIGN_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_DESIGN_H
