@@ -92,7 +92,7 @@ Edits base_edits(const Subject& subject);
 /// Origins of links where loops are closed, or that several joints move.
 Edits operational_point_edits(const Subject& subject);
 
-/// The ends of the coordinates that a closure is described by: beyond them nothing is written.
+/// An end of a closure that its description gives by coordinates.
 struct PlacedEnd {
   std::size_t closure = 0, end = 0;
   Eigen::Vector3d place;  ///< in its link [m]

@@ -51,16 +51,17 @@ Edits metres_for_limits(const Subject& s, const LoopJoints& joints, bool too_lon
                   std::move(changes), true)};
 }
 
-Edit metres_for_lengths(const Subject& s) {
+Edits metres_for_lengths(const Subject& s) {
   std::vector<Change> changes;
   for (std::size_t k = 0; k < s.tree.joints.size(); ++k)
     if (const Eigen::Vector3d place = s.tree.joints[k].origin.translation(); !place.isZero(0.0))
       changes.emplace_back(OriginChange{k, millimetre * place, std::nullopt});
-  const bool is_one = changes.size() == 1;
+  const std::size_t count = changes.size();
+  if (count == 0) return {};
   Edit edit = edit_of(s, s.files.urdf + " is " + number_text(s.size(), 3) + " m wide, as if in millimetres",
                       std::move(changes), true);
-  if (!is_one) edit.remedy = "write a thousandth of each xyz in the origins of its joints";
-  return edit;
+  if (count > 1) edit.remedy = "write a thousandth of each xyz in the origins of its joints";
+  return {edit};
 }
 
 // Whether that is no angle that somebody computed in radians, as 420 degrees are.
@@ -177,7 +178,7 @@ Edits unit_edits(const Subject& subject, const LoopJoints& joints, bool loads) {
   const double shortest = loads ? shortest_that_is_meant : 1.0 / out_of_scale;
   Edits found = metres_for_limits(subject, joints, true, shortest);
   const auto append = [&](Edits more) { std::move(more.begin(), more.end(), std::back_inserter(found)); };
-  append(is_wide ? Edits{metres_for_lengths(subject)} : metres_for_limits(subject, joints, false, shortest));
+  append(is_wide ? metres_for_lengths(subject) : metres_for_limits(subject, joints, false, shortest));
   append(radians_for_joints(subject, joints, true));
   append(radians_for_joints(subject, joints, false));
   append(radians_for_closures(subject));

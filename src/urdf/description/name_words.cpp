@@ -35,6 +35,12 @@ bool has_word(const std::string& name, const Words& known) {
                      [&](const std::string& word) { return known.count(word) > 0; });
 }
 
+// A number or a single letter, which counts legs.
+bool is_index(const std::string& word) {
+  return word.size() == 1 || std::all_of(word.begin(), word.end(),
+                                         [](char character) { return kind_of(character) == Letter::digit; });
+}
+
 }  // namespace
 
 std::vector<std::string> words_of(const std::string& name) {
@@ -54,11 +60,6 @@ std::vector<std::string> words_of(const std::string& name) {
     before = letter;
   }
   return words;
-}
-
-bool is_index(const std::string& word) {
-  return word.size() == 1 || std::all_of(word.begin(), word.end(),
-                                         [](char character) { return kind_of(character) == Letter::digit; });
 }
 
 std::string role_of(const std::string& name) {

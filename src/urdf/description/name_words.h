@@ -15,9 +15,6 @@ namespace parallel_aspects {
 /// in "rod_2@0.4:0:0" is none.
 std::vector<std::string> words_of(const std::string& name);
 
-/// A number or a single letter, which counts legs.
-bool is_index(const std::string& word);
-
 /// The name without what counts legs: "crank_#_joint".
 std::string role_of(const std::string& name);
 

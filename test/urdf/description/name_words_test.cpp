@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/description/name_words.h"
 
-#include "urdf/corrections/correction.h"
+#include "urdf/corrections/edit.h"
 #include "urdf/description/messages.h"
 
 #include <gtest/gtest.h>
