@@ -8,6 +8,7 @@
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
+#include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/motion/plan_path.h"
 
 #include "python/arrays.h"

@@ -235,9 +235,9 @@ void describe(Visit& visit, const MapAnswer& answer) {
          "`cut_by_region`"},
         answer.proved_count);
   visit({"cut_by_region", "",
-         "whether the region may leave out poses that legs reach: then aspects are connected within it, and "
-         "one "
-         "of the robot that it cuts may be counted as several"},
+         "whether the region may leave out poses that legs reach: then an aspect that it cuts may be counted "
+         "as "
+         "several"},
         answer.cut_by_region);
   visit({"count_at_most", "",
          "upper bound of the number of aspects that have a pose in the region, proved; null while there are "
