@@ -107,12 +107,16 @@ JacobianAt jacobian_at(const Manipulator& robot, const Pose& pose, const JointVe
 
 /// How they move each other, and what the entries of the matrices are.
 struct JacobianAnswer {
-  TaskSpace task_space = TaskSpace::T2;                       ///< of the robot
-  std::optional<DirectStatus> direct_status;                  ///< of joint values, as of `direct`
-  std::vector<std::string> twist, twist_units;                ///< of t, one a degree of freedom
-  std::vector<std::string> wrench, wrench_units;              ///< its dual
-  std::vector<std::string> joints, rate_units, effort_units;  ///< of the actuated joints
-  std::vector<JacobianAt> configurations;                     ///< one a working mode or direct solution
+  TaskSpace task_space = TaskSpace::T2;       ///< of the robot
+  std::optional<DirectStatus> direct_status;  ///< of joint values, as of `direct`
+  std::vector<std::string> twist;             ///< names of the entries of t
+  std::vector<std::string> twist_units;       ///< of these
+  std::vector<std::string> wrench;            ///< names of the entries of its dual
+  std::vector<std::string> wrench_units;      ///< of these
+  std::vector<std::string> joints;            ///< those that are actuated
+  std::vector<std::string> rate_units;        ///< of their rates
+  std::vector<std::string> effort_units;      ///< of their efforts
+  std::vector<JacobianAt> configurations;     ///< one a working mode or direct solution
 };
 
 /// Its fields.

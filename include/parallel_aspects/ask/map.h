@@ -77,8 +77,10 @@ struct MapQuestion {
   std::optional<Count<0, 20>> extra_levels{};  ///< as of `MapOptions`
   RoadmapSource roadmap{};                     ///< of what is made in its place with six degrees of freedom
   std::optional<ParallelIndex> index{};        ///< by which depths are measured; nothing for none
-  bool complete = false, no_symmetry = false;  ///< as of `MapOptions`
-  bool neighbours = false, persistence = false;  ///< whether these are found, too
+  bool complete = false;                       ///< as of `MapOptions`
+  bool no_symmetry = false;                    ///< likewise
+  bool neighbours = false;                     ///< whether these are found, too
+  bool persistence = false;                    ///< whether basins are
 };
 
 /// Its fields.
@@ -177,14 +179,16 @@ struct MapAnswer {
   TaskSpace task_space = TaskSpace::T2;               ///< of the robot
   std::optional<MapSlice> slice;                      ///< of the map
   std::vector<NamedRange> region;                     ///< what was searched
-  double resolution = 0.0, seconds = 0.0;             ///< as of `AspectMap`, likewise below
+  double resolution = 0.0;                            ///< as of `AspectMap`
+  double seconds = 0.0;                               ///< likewise, as what is below
   std::optional<SymmetryUse> symmetry;                ///< nothing where it was loaded
   std::string unit;                                   ///< of measures
   std::vector<WorkingMode> working_modes;             ///< those that have aspects
   std::vector<MappedAspect> aspects;                  ///< by id
   int proved_count = 0;                               ///< lower bound
   std::optional<int> count_at_most;                   ///< upper bound
-  bool cut_by_region = false, loaded = false;         ///< see below
+  bool cut_by_region = false;                         ///< whether the region may cut aspects
+  bool loaded = false;                                ///< whether it is that of a file
   int indeterminate_leaves = 0;                       ///< where further aspects could hide
   std::vector<std::vector<int>> unresolved;           ///< pairs of ids
   double measure_undecided = 0.0;                     ///< over all working modes

@@ -27,7 +27,8 @@ void describe(Visit& /*visit*/, DescribeQuestion& /*question*/) {}
 
 /// From where to where one coordinate can move away from a pose while the others stay [m or rad].
 struct CoordinateRange {
-  double lower = 0.0, upper = 0.0;  ///< see above
+  double lower = 0.0;  ///< end below it
+  double upper = 0.0;  ///< end above it
 };
 
 /// Its fields.
@@ -39,10 +40,12 @@ void describe(Visit& visit, const CoordinateRange& range) {
 
 /// Where the workspace is: what the legs reach, in any working mode, singular or not; about, not proved.
 struct RobotReach {
-  int drawn = 0, reached = 0;  ///< random poses where a flood has been, and of them those reached
-  std::optional<Pose> from;    ///< where it began; nothing without a pose that is reached
-  bool is_from_home = false;   ///< whether that is the home pose
-  NamedValues lower, upper;    ///< bounds of the operational point, over all orientations [m]
+  int drawn = 0;              ///< random poses where a flood has been
+  int reached = 0;            ///< of them, those that are reached
+  std::optional<Pose> from;   ///< where it began; nothing without a pose that is reached
+  bool is_from_home = false;  ///< whether that is the home pose
+  NamedValues lower;          ///< bounds of the operational point, over all orientations [m]
+  NamedValues upper;          ///< likewise
   std::vector<std::pair<std::string, CoordinateRange>> alone;  ///< where the platform turns
 };
 
@@ -199,6 +202,7 @@ void describe(Visit& visit, const AssembledConfiguration& configuration) {
   visit({"joints", "rad or m", "values of the actuated joints"}, configuration.q);
 }
 
+/// Of a crank and its rod.
 template <class Visit>
 void describe_actuation(Visit& visit, const Leg& leg, const RevoluteActuation& actuation) {
   visit({"center", "m", "of the circle of the crank's end"}, ask::components(actuation.center));
@@ -209,6 +213,7 @@ void describe_actuation(Visit& visit, const Leg& leg, const RevoluteActuation& a
   visit({"rod_length", "m", ""}, leg.rod_length);
 }
 
+/// Of a rail and the rod on its slide.
 template <class Visit>
 void describe_actuation(Visit& visit, const Leg& leg, const PrismaticActuation& actuation) {
   visit({"origin", "m", "of the slide where the joint is at 0"}, ask::components(actuation.origin));
@@ -216,6 +221,7 @@ void describe_actuation(Visit& visit, const Leg& leg, const PrismaticActuation& 
   visit({"rod_length", "m", ""}, leg.rod_length);
 }
 
+/// Of a strut.
 template <class Visit>
 void describe_actuation(Visit& visit, const Leg& /*leg*/, const StrutActuation& actuation) {
   visit({"base", "m", "where it begins"}, ask::components(actuation.base));
@@ -223,6 +229,7 @@ void describe_actuation(Visit& visit, const Leg& /*leg*/, const StrutActuation& 
   visit({"sense", "", "1 where it becomes longer with the joint value, else -1"}, actuation.sense);
 }
 
+/// Of two links with an actuated elbow.
 template <class Visit>
 void describe_actuation(Visit& visit, const Leg& /*leg*/, const ElbowActuation& actuation) {
   visit({"base", "m", "where it begins"}, ask::components(actuation.base));

@@ -55,8 +55,8 @@ void describe(Visit& visit, UniquenessQuestion& question) {
 /// An item of a result, with the result that it belongs to.
 template <class Item, class Whole>
 struct Part {
-  const Whole* of;
-  const Item* item;
+  const Whole* of;   ///< the result
+  const Item* item;  ///< of it
 };
 
 /// Each of them; both must outlive the result.
@@ -167,8 +167,9 @@ void describe(Visit& visit, const CuspsInSlice& answer) {
 
 /// Curves of cusps, over the value of the joint that is held.
 struct CuspsOverJoint {
-  std::string joint, unit;  ///< that is held
-  CuspCurves found;         ///< all curves
+  std::string joint;  ///< that is held
+  std::string unit;   ///< of its values
+  CuspCurves found;   ///< all curves
 };
 
 template <class Visit>

@@ -87,14 +87,15 @@ using PosesBySolutions = std::map<std::size_t, std::size_t>;
 /// Two different direct solutions of the same actuated values, and a path from one to the other, all proved:
 /// the aspect that holds it is no uniqueness domain.
 struct AssemblyChange {
-  JointVector actuated;  ///< of both [rad or m]
-  ProvedSolution from, to;
+  JointVector actuated;    ///< of both [rad or m]
+  ProvedSolution from;     ///< where the path begins
+  ProvedSolution to;       ///< where it ends
   std::vector<Pose> path;  ///< of their poses; each `PoseSegment` is proved free of singularities
 };
 
 /// Of the poses of one component of a roadmap, all in one aspect.
 struct ComponentSurvey {
-  WorkingMode mode;
+  WorkingMode mode;                      ///< of that side of the roadmap
   int determinant_sign = 0;              ///< 1 or -1
   std::uint32_t component = 0;           ///< of that side of the roadmap, from 0
   std::size_t samples = 0;               ///< poses that the roadmap has in it
