@@ -32,8 +32,8 @@ TEST(SdfReader, ReadsTheFiveBar) {
 
 // In a world, turned and moved there, with a ground beside it; balls join the platform as a parent.
 TEST(SdfReader, ReadsAStewartPlatform) {
-  const auto mechanism = loaded_from("sdf", "stewart.sdf", "stewart.yaml");
-  const Manipulator &robot = *mechanism->manipulator(), &shipped = *models::stewart()->manipulator();
+  const auto mechanism = loaded_from("sdf", "stewart.sdf", "stewart.yaml"), expected = models::stewart();
+  const Manipulator &robot = *mechanism->manipulator(), &shipped = *expected->manipulator();
   ASSERT_EQ(robot.task_space(), TaskSpace::SE3);
   ASSERT_EQ(robot.leg_count(), 6U);
   EXPECT_EQ(test::open_loops(*mechanism), 0);

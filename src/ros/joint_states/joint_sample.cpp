@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/joint_states/joint_sample.h"
 
-#include "ros/messages/conversions.h"
+#include "ros/messages/not_a_number.h"
 #include "urdf/description/nearest_name.h"
 
 #include <algorithm>

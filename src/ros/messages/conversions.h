@@ -9,6 +9,7 @@
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/singularity/indices.h"
 #include "parallel_aspects/tracking/tracker.h"
+#include "ros/messages/not_a_number.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectSummary.h>
@@ -26,16 +27,12 @@
 #include <cstdint>
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Transform.h>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace parallel_aspects {
-
-/// What messages hold where a value is unknown.
-inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether maps are computed in this task space; with six degrees of freedom there are roadmaps instead.
 constexpr bool has_map(TaskSpace space) noexcept { return space != TaskSpace::SE3; }
