@@ -120,7 +120,7 @@ class Examples(unittest.TestCase):
         self.run_example("`~candidates`")
         self.assertTrue(eventually(lambda: self.progress.state == MapProgress.COMPLETE))
         self.run_example("`~set_assembly_mode`")
-        self.assertTrue(eventually(lambda: self.state.status.code == Status.OK))
+        self.assertTrue(eventually(lambda: self.state.status.code == Status.OK and self.state.level != AspectState.UNKNOWN))
         moving, last = ["`~transitions`", "`~last_transition`"], ["`~compute_map`, an action", "`~reload`"]
         for heading in [each for each in self.examples if each not in moving + last]:
             self.run_example(heading)
