@@ -10,10 +10,6 @@
 namespace parallel_aspects::ask {
 namespace {
 
-std::string number_of(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 /// What joins nodes to sets, or why nothing does.
 std::string joints_text(const Manipulator& robot, const AspectGraph& graph, const std::string& node) {
   const bool is_joined = std::any_of(graph.gates.begin(), graph.gates.end(), [](const Neighbours& gate) {
@@ -35,7 +31,7 @@ std::string apart_text(const AspectGraph& graph) {
 
 std::string graph_reason(const AspectMap& map, const AspectGraph& graph) {
   if (!map.aspects().empty())
-    return number_of(map.aspects().size(), "aspect") + " in " + number_of(graph.sets.size(), "set") + ", " +
+    return counted(map.aspects().size(), "aspect") + " in " + counted(graph.sets.size(), "set") + ", " +
            joints_text(*map.manipulator(), graph, "aspect") + apart_text(graph);
   const std::string where = map.slice() ? "the slice " + to_string(*map.slice()) : "the region of the map";
   return map.measure_undecided() > 0.0
@@ -46,10 +42,9 @@ std::string graph_reason(const AspectMap& map, const AspectGraph& graph) {
 
 std::string graph_reason(const PoseRoadmap& roadmap, const RoadmapGraph& found) {
   const Manipulator& robot = *roadmap.certifier().manipulator();
-  return number_of(found.parts.size(), "part") + " of at least " +
-         number_of(roadmap.proved_count(), "aspect") + ", in " + number_of(found.graph.sets.size(), "set") +
-         ", " + joints_text(robot, found.graph, "part") + apart_text(found.graph) +
-         (found.graph.proved_set_count > 1 ? ", by the sign of det A" : "");
+  return counted(found.parts.size(), "part") + " of at least " + counted(roadmap.proved_count(), "aspect") +
+         ", in " + counted(found.graph.sets.size(), "set") + ", " + joints_text(robot, found.graph, "part") +
+         apart_text(found.graph) + (found.graph.proved_set_count > 1 ? ", by the sign of det A" : "");
 }
 
 int number_of_set(const AspectGraph& graph, int id) { return static_cast<int>(graph.set_of(id)) + 1; }

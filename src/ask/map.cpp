@@ -13,12 +13,6 @@
 namespace parallel_aspects::ask {
 namespace {
 
-std::vector<NamedRange> ranges_of(const std::vector<std::string>& names, const Box& box) {
-  std::vector<NamedRange> ranges;
-  for (std::size_t i = 0; i < box.dimension; ++i) ranges.push_back({names[i], box.lower[i], box.upper[i]});
-  return ranges;
-}
-
 std::vector<MappedAspect> aspects_of(const AspectMap& map) {
   const std::vector<Rgb> colors = aspect_colors(map.aspects());
   std::vector<MappedAspect> found;
@@ -26,13 +20,6 @@ std::vector<MappedAspect> aspects_of(const AspectMap& map) {
     found.push_back(
         {each, map.unit(), ranges_of(map.coordinates(), each.bounds), color_text(colors[found.size()]), {}});
   return found;
-}
-
-NamedValues margins_of(const Margins& margins) {
-  NamedValues values;
-  for (const NamedMargin& each : named_margins)
-    if (margins.*each.member > 0.0) values.emplace_back(each.name, margins.*each.member);
-  return values;
 }
 
 /// The leg across whose singularity no neighbours are looked for, since its joint is held.

@@ -33,6 +33,24 @@ void check_sources(bool has_map, const MapSource& map, const RoadmapSource& road
                         "{samples} and {seed} are for roadmaps, in SE3 without {slice}", "leave them out"});
 }
 
+std::string counted(std::size_t number, const std::string& noun, const std::string& plural) {
+  const std::string several = plural.empty() ? noun + "s" : plural;
+  return std::to_string(number) + ' ' + (number == 1 ? noun : several);
+}
+
+NamedValues margins_of(const Margins& margins) {
+  NamedValues values;
+  for (const NamedMargin& each : named_margins)
+    if (margins.*each.member > 0.0) values.emplace_back(each.name, margins.*each.member);
+  return values;
+}
+
+std::vector<NamedRange> ranges_of(const std::vector<std::string>& names, const Box& box) {
+  std::vector<NamedRange> ranges;
+  for (std::size_t i = 0; i < box.dimension; ++i) ranges.push_back({names[i], box.lower[i], box.upper[i]});
+  return ranges;
+}
+
 std::string example_of_ranges(const std::vector<std::string>& names) {
   std::string text;
   bool has_angle = false;

@@ -7,6 +7,7 @@
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
@@ -16,6 +17,15 @@
 #include <vector>
 
 namespace parallel_aspects::ask {
+
+/// "1 aspect", "2 aspects"; `plural` where it is not the noun with an s.
+std::string counted(std::size_t number, const std::string& noun, const std::string& plural = "");
+
+/// Margins that are not zero, by name.
+NamedValues margins_of(const Margins& margins);
+
+/// The ranges of a box, one for each of the names.
+std::vector<NamedRange> ranges_of(const std::vector<std::string>& names, const Box& box);
 
 /// "x=-1:1 y=-1:1", in quotes and with units.
 std::string example_of_ranges(const std::vector<std::string>& names);

@@ -62,12 +62,6 @@ class GraphBuilder {
 
   const char* name(const int* addresses, int index) const { return model_.names + addresses[index]; }
 
-  static std::string new_name(const std::string& name, std::set<std::string>& taken) {
-    std::string result = name;
-    for (int k = 2; !taken.insert(result).second; ++k) result = name + "_" + std::to_string(k);
-    return result;
-  }
-
   // Where bodies are in the world in the configuration of the file.
   void find_poses() {
     const std::unique_ptr<mjData, Free> data(mj_makeData(&model_));

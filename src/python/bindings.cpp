@@ -42,7 +42,7 @@ void bind_errors(py::module& module) {
   invalid_description = PyErr_NewExceptionWithDoc(
       "parallel_aspects.InvalidDescription",
       "A robot, a file or an argument that is refused.\n\n"
-      "problems: list of str, all that is wrong; each names the culprit and what to do about it.",
+      "problems: list of str, all that is wrong; each names its cause and what to do about it.",
       PyExc_ValueError, nullptr);
   module.attr("InvalidDescription") = py::reinterpret_borrow<py::object>(invalid_description);
   py::register_exception_translator([](std::exception_ptr thrown) {

@@ -112,8 +112,7 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
       note_ends({subject, ends_meet, recognise_in, attempt}, *contents);
       for (Note& note : notes_of_working(subject, unit_edits(subject, subject.loops, true), "if so", attempt))
         contents->notes.push_back(std::move(note));
-      if (auto note = borrowed_length_note(tree, resolved, files, attempt))
-        contents->notes.push_back(std::move(*note));
+      if (auto note = borrowed_length_note(subject, attempt)) contents->notes.push_back(std::move(*note));
       if (contents->notes.size() == before)  // a frame that is turned turns an axis, too
         for (Note& note : other_axes_notes(subject, attempt)) contents->notes.push_back(std::move(note));
     }

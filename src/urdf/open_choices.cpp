@@ -6,6 +6,7 @@
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/edit.h"
 #include "urdf/description/messages.h"
+#include "urdf/description/xml_values.h"
 
 #include <algorithm>
 #include <array>

@@ -1,31 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "support/command_run.h"
-#include <filesystem>
+#include "support/five_bar_setup.h"
+#include <string>
 
 namespace parallel_aspects {
 namespace {
 
-namespace fs = std::filesystem;
-
 const std::string robot = std::string(PARALLEL_ASPECTS_SOURCE_DIR) + "/test/data/sdf/five_bar.sdf";
 
-// Only a URDF can be launched.
 TEST(SdfCommands, SetupWritesAYamlThatAllCommandsTake) {
-  std::string folder = (fs::temp_directory_path() / "sdf_XXXXXX").string();
-  ASSERT_NE(mkdtemp(folder.data()), nullptr);
-  const std::string config = folder + "/robot.yaml";
-  const test::Outcome setup =
-      test::run({"setup", robot.c_str(), "-o", config.c_str(), "--actuated", "crank_1_joint crank_2_joint"});
-  EXPECT_EQ(setup.code, tools::exit_code::ok) << setup.output << setup.messages;
-  EXPECT_NE(setup.output.find(config + " is written; comments in it say what is a guess."),
-            std::string::npos);
-  EXPECT_EQ(setup.output.find("roslaunch"), std::string::npos);
-  EXPECT_FALSE(fs::exists(folder + "/robot.launch"));
-  EXPECT_EQ(test::run_json({"describe", robot.c_str(), config.c_str()})["task_space"], "T2");
-  EXPECT_EQ(test::run_json({"map", robot.c_str(), config.c_str()})["aspects"].size(), 10U);
-  fs::remove_all(folder);
+  test::expect_five_bar_is_set_up(robot, {"--actuated", "crank_1_joint crank_2_joint"});
 }
 
 TEST(SdfCommands, DescribeTakesTheFileAlone) {

@@ -163,8 +163,7 @@ std::string map_text(const AspectMap& map, bool all_aspects, const MapBasins* ba
 
 nlohmann::json json_margins(const Margins& margins) {
   nlohmann::json object = nlohmann::json::object();
-  for (const NamedMargin& margin : named_margins)
-    if (margins.*margin.member > 0.0) object[std::string(margin.name)] = json_number(margins.*margin.member);
+  for (const auto& [name, value] : ask::margins_of(margins)) object[name] = json_number(value);
   return object;
 }
 

@@ -49,16 +49,6 @@ nlohmann::json json_pose(TaskSpace space, const Pose& pose) {
   return object;
 }
 
-nlohmann::json json_box(const std::vector<std::string>& names, const Box& box) {
-  nlohmann::json lower = nlohmann::json::object();
-  nlohmann::json upper = nlohmann::json::object();
-  for (std::size_t i = 0; i < box.dimension; ++i) {
-    lower[names[i]] = json_number(box.lower[i]);
-    upper[names[i]] = json_number(box.upper[i]);
-  }
-  return {{"lower", lower}, {"upper", upper}};
-}
-
 nlohmann::json json_joints(const Manipulator& manipulator) {
   nlohmann::json object = {{"mechanism", manipulator.name()}};
   for (const Leg& leg : manipulator.legs()) {
@@ -104,11 +94,6 @@ std::string determinant_unit(const Manipulator& manipulator) {
 std::string determinant_heading(const Manipulator& manipulator) {
   const std::string unit = determinant_unit(manipulator);
   return "det A" + (unit.empty() ? unit : " [" + unit + "]");
-}
-
-std::string counted(std::size_t number, const std::string& noun, const std::string& plural) {
-  const std::string several = plural.empty() ? noun + "s" : plural;
-  return std::to_string(number) + ' ' + (number == 1 ? noun : several);
 }
 
 std::string shown_angle(double radians) {

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_REPORT_REPORT_H
 #define PARALLEL_ASPECTS_TOOLS_REPORT_REPORT_H
 
-#include "parallel_aspects/aspects/box.h"
+#include "ask/question_parts.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
@@ -31,9 +31,6 @@ nlohmann::json json_numbers(const TaskVector& values);
 
 /// {"x": 4.5, "y": 8} and so on, by `coordinate_names(space)`.
 nlohmann::json json_pose(TaskSpace space, const Pose& pose);
-
-/// {"lower": {...}, "upper": {...}}, each an object by these coordinate names.
-nlohmann::json json_box(const std::vector<std::string>& names, const Box& box);
 
 /// {"mechanism", "actuated_joints", "units"} of these.
 nlohmann::json json_joints(const Manipulator& manipulator);
@@ -68,8 +65,7 @@ std::string determinant_heading(const Manipulator& manipulator);
 /// A line that says for which robots something is proved; empty without a tolerance.
 std::string tolerance_text(const Manipulator& manipulator);
 
-/// "1 aspect", "2 aspects"; or with `plural` where that has another form.
-std::string counted(std::size_t number, const std::string& noun, const std::string& plural = "");
+using ask::counted;
 
 /// "70 deg (1.22173 rad)".
 std::string shown_angle(double radians);

@@ -56,10 +56,7 @@ std::vector<ask::NamedRange> find_region(const MapSection& section, TaskSpace sp
   std::optional<Box> region = resolve_region(section.config, space, section.file, problems);
   if (region && slice) region = region_of_slice(*region, *slice, section.file, problems);
   const std::vector<std::string> names = slice ? coordinate_names(*slice) : coordinate_names(space);
-  std::vector<ask::NamedRange> ranges;
-  for (std::size_t i = 0; region && i < region->dimension; ++i)
-    ranges.push_back({names[i], region->lower[i], region->upper[i]});
-  return ranges;
+  return region ? ask::ranges_of(names, *region) : std::vector<ask::NamedRange>();
 }
 
 /// Where there is no map of boxes, what is of these alone.

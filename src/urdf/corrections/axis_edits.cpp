@@ -2,6 +2,7 @@
 #include "model/linear_algebra.h"
 #include "model/message_text.h"
 #include "urdf/corrections/edits.h"
+#include "urdf/description/xml_values.h"
 
 #include <Eigen/Geometry>
 
@@ -18,7 +19,7 @@ using Eigen::Vector3d;
 constexpr double near_angle = 0.15;        // of an axis that was meant to be parallel [rad]
 constexpr double max_misfits = 1.0 / 3.0;  // of the axes, where these are all meant to share something
 constexpr std::size_t max_alone = 4;       // that are put right without the others
-constexpr double decimal = 1e-6;           // to which values are said, far inside of what is accepted
+constexpr double decimal = 1e-6;           // to which values are printed, much finer than what is accepted
 
 constexpr const char* consequence = ", so that the loops hold too much";
 

@@ -2,6 +2,7 @@
 #include "urdf/corrections/edit.h"
 
 #include "model/message_text.h"
+#include "urdf/description/xml_values.h"
 
 #include <Eigen/Geometry>
 
@@ -29,19 +30,6 @@ std::string as_attribute(const Eigen::Vector3d& vector) { return listed(vector, 
 std::string in_brackets(const Eigen::Vector3d& vector) { return "(" + listed(vector, ", ") + ")"; }
 
 std::string as_list(const Eigen::Vector3d& vector) { return "[" + listed(vector, ", ") + "]"; }
-
-Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation) {
-  const double level = std::hypot(rotation(0, 0), rotation(1, 0));
-  return {std::atan2(rotation(2, 1), rotation(2, 2)), std::atan2(-rotation(2, 0), level),
-          std::atan2(rotation(1, 0), rotation(0, 0))};
-}
-
-Eigen::Matrix3d rotation_of(const Eigen::Vector3d& roll_pitch_yaw) {
-  return (Eigen::AngleAxisd(roll_pitch_yaw.z(), Eigen::Vector3d::UnitZ()) *
-          Eigen::AngleAxisd(roll_pitch_yaw.y(), Eigen::Vector3d::UnitY()) *
-          Eigen::AngleAxisd(roll_pitch_yaw.x(), Eigen::Vector3d::UnitX()))
-      .toRotationMatrix();
-}
 
 namespace {
 

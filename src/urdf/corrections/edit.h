@@ -135,12 +135,6 @@ std::string in_brackets(const Eigen::Vector3d& vector);
 /// "[1, 0, 0]", as a YAML has it.
 std::string as_list(const Eigen::Vector3d& vector);
 
-/// The rpy of a rotation, as a URDF has it [rad].
-Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation);
-
-/// The inverse.
-Eigen::Matrix3d rotation_of(const Eigen::Vector3d& roll_pitch_yaw);
-
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_CORRECTIONS_EDIT_H

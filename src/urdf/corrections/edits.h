@@ -47,7 +47,8 @@ Edits axis_edits(const Subject& subject, const Eigen::VectorXd& values);
 /// Where slides have limits far beyond the robot, lengths are far beyond a robot's, or places of closures far
 /// beyond the lengths: millimetres. Where origins are turned by angles far beyond a full turn: degrees, of
 /// those angles alone, or of whole numbers beside them, too. The same of the frames of closures that the YAML
-/// lists. `joints`: those that are looked at; `loads`: as it is, which less is said of.
+/// lists. `joints`: those that are examined. `loads`: whether the description loads as it is; fewer edits are
+/// then offered.
 Edits unit_edits(const Subject& subject, const LoopJoints& joints, bool loads = false);
 
 /// Of the closures: another type of one.

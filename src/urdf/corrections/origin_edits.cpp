@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/linear_algebra.h"
 #include "urdf/corrections/edits.h"
+#include "urdf/description/xml_values.h"
 
 #include <Eigen/Geometry>
 

@@ -2,6 +2,7 @@
 #include "model/linear_algebra.h"
 #include "model/message_text.h"
 #include "urdf/corrections/edits.h"
+#include "urdf/description/xml_values.h"
 
 #include <Eigen/Core>
 

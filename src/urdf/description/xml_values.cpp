@@ -50,6 +50,20 @@ std::optional<Eigen::Isometry3d> frame_of(const std::string& xyz, const std::str
          Eigen::AngleAxisd(angles->x(), Eigen::Vector3d::UnitX());
 }
 
+// Roll and yaw are found together, so that the frame is kept to rounding where the pitch is a right angle.
+Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& r) {
+  const double yaw = std::atan2(r(1, 0), r(0, 0)), pitch = std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0)));
+  const double s = std::sin(yaw), c = std::cos(yaw);
+  return {std::atan2(s * r(0, 2) - c * r(1, 2), c * r(1, 1) - s * r(0, 1)), pitch, yaw};
+}
+
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& roll_pitch_yaw) {
+  return (Eigen::AngleAxisd(roll_pitch_yaw.z(), Eigen::Vector3d::UnitZ()) *
+          Eigen::AngleAxisd(roll_pitch_yaw.y(), Eigen::Vector3d::UnitY()) *
+          Eigen::AngleAxisd(roll_pitch_yaw.x(), Eigen::Vector3d::UnitX()))
+      .toRotationMatrix();
+}
+
 Eigen::Matrix3d axes_with_z(const Eigen::Vector3d& axis) {
   return shortest_rotation(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix();
 }

@@ -27,6 +27,12 @@ std::optional<Eigen::Vector3d> vector_or(const std::string& text, const Eigen::V
 /// vector.
 std::optional<Eigen::Isometry3d> frame_of(const std::string& xyz, const std::string& rpy);
 
+/// The rpy of a rotation, as a URDF has it [rad].
+Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& r);
+
+/// The inverse.
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& roll_pitch_yaw);
+
 /// Axes with z along `axis` (not zero), the other two anyhow.
 Eigen::Matrix3d axes_with_z(const Eigen::Vector3d& axis);
 

@@ -4,6 +4,7 @@
 #include "model/message_text.h"
 #include "urdf/closing/planar_layers.h"
 #include "urdf/corrections/edit.h"
+#include "urdf/description/xml_values.h"
 
 #include <algorithm>
 #include <array>

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int starts_without_limits = 12;  // as the space is wider then than that of other searches
 
-// Edits that cost the same; those that doubt least of the description come first.
+// Edits that cost the same; those that change the description least come first.
 enum class Cost {
   names,              // ends of closures, which their names or links that are there for them tell
   ends_apart,         // an origin that puts all ends together
@@ -205,8 +205,9 @@ class Search {
     return all;
   }
 
-  // A chain that was loose speaks for what puts it into a loop. Else a frame that a joint lets loose may be
-  // put onto another link, or the joint be fixed: edits of joints change less than what is joined to what.
+  // Where a chain was in no loop, an edit that puts it into one is preferred. Else the frame that a joint
+  // leaves free may be put onto another link, or the joint be fixed: the latter changes less, since it leaves
+  // the connections as they are.
   Diagnosis diagnosis(Cost cost) {
     if (cost == Cost::frames && std::none_of(search_.working().begin(), search_.working().end(),
                                              [this](const auto& each) { return closes_more(each.edit); })) {
@@ -227,7 +228,7 @@ class Search {
     return count(Subject(after.tree, after.resolved, s_.files).system.in_loop()) > count(s_.system.in_loop());
   }
 
-  // Which is said where the legs are looked for.
+  // The search for legs reports these.
   bool has_zero_length() {
     if (!is_assembled()) return false;
     const std::vector<bool> none(s_.system.in_loop().size(), false);

@@ -30,10 +30,10 @@ struct Diagnosis {
 bool moves_a_body(const ClosureSystem& system, const Assembly& assembly,
                   const ActuatedJoints& actuated_joints, const SourceNames& files);
 
-/// Tries edits of a description, those that doubt least of it first: the first of one cost that work are what
-/// is offered. Most are sorted out by whether the ends of closures are where they may be, the loops close
-/// from some starts and the mobility fits; those that are left are recognised like any description. What it
-/// may do is counted and not timed.
+/// Tries edits of a description in the order of their cost, and offers the first ones of one cost that work.
+/// Cheap checks reject most of them: where the ends of closures are, whether the loops close from some
+/// starts, and the mobility. The others are recognised like any description. Its budget counts work, not
+/// time.
 class EditSearch {
  public:
   EditSearch(const Subject& subject, const Attempt& attempt);

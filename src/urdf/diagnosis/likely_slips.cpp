@@ -168,24 +168,23 @@ const TreeJoint* lender_of(const Tree& tree, const LinkFrame& end, const LinkFra
 
 }  // namespace
 
-std::optional<Note> borrowed_length_note(const std::shared_ptr<const Tree>& tree,
-                                         const ResolvedConfig& resolved, const SourceNames& files,
-                                         const Attempt& attempt) {
+std::optional<Note> borrowed_length_note(const Subject& subject, const Attempt& attempt) {
+  const Tree& tree = subject.tree;
   const TreeJoint* lender = nullptr;
-  ResolvedConfig changed = resolved;
+  ResolvedConfig changed = subject.resolved;
   for (Closure& closure : changed.closures)
     for (const std::size_t end : {0, 1})
-      if (const TreeJoint* joint = lender_of(*tree, closure.frames[end], closure.frames[1 - end])) {
+      if (const TreeJoint* joint = lender_of(tree, closure.frames[end], closure.frames[1 - end])) {
         lender = joint;
         closure.frames[end].in_link.translation().setZero();
       }
-  if (lender == nullptr || !attempt(tree, changed)) return std::nullopt;
-  const std::string carrier = "'" + tree->links[lender->parent] + "'";
+  if (lender == nullptr || !attempt(subject.shared_tree, changed)) return std::nullopt;
+  const std::string carrier = "'" + tree.links[lender->parent] + "'";
   return "These legs are not alike, which is perhaps not your robot: closures end some where link '" +
-         tree->links[lender->child] + "' is on " + carrier + ", by the length of joint '" + lender->name +
+         tree.links[lender->child] + "' is on " + carrier + ", by the length of joint '" + lender->name +
          "', while the leg of " + carrier + " ends at its origin; if all end so, write " +
-         closures_entry(*tree, with_known_types(tree, changed, attempt)) + " under mechanism in " +
-         files.config + ".";
+         closures_entry(tree, with_known_types(subject.shared_tree, changed, attempt)) +
+         " under mechanism in " + subject.files.config + ".";
 }
 
 namespace {

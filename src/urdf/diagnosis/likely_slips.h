@@ -6,7 +6,6 @@
 #include "urdf/description/messages.h"
 #include "urdf/description/tree.h"
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,9 +26,7 @@ Notes other_axes_notes(const Subject& subject, const Attempt& attempt);
 /// Of a robot that loads: that ends of closures are at a place which a like link has the other end at, a
 /// length of that one, as where the plate is fixed to the first of six pins. With the closures at the origins
 /// of their links; nothing where these make no robot.
-std::optional<Note> borrowed_length_note(const std::shared_ptr<const Tree>& tree,
-                                         const ResolvedConfig& resolved, const SourceNames& files,
-                                         const Attempt& attempt);
+std::optional<Note> borrowed_length_note(const Subject& subject, const Attempt& attempt);
 
 /// What looks like a slip, though it may be meant: a link that several closures hold, while one of its body
 /// with such a name is in none; or one that a closure holds at its own joint, where another leg is, while a

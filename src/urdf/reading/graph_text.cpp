@@ -16,7 +16,6 @@ namespace parallel_aspects {
 namespace {
 
 using Eigen::Isometry3d;
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using tinyxml2::XMLElement;
 
@@ -28,17 +27,7 @@ constexpr double no_limit = 1e6;
 // No zero with a sign.
 std::string exact(double value) { return number_text(value + 0.0, exact_digits); }
 
-std::string vector_text(double x, double y, double z) { return exact(x) + " " + exact(y) + " " + exact(z); }
-
-std::string vector_text(const Vector3d& v) { return vector_text(v.x(), v.y(), v.z()); }
-
-// Roll and yaw are found together, so that the frame is kept to rounding where the pitch is a right angle.
-std::string angles_text(const Matrix3d& r) {
-  const double yaw = std::atan2(r(1, 0), r(0, 0)), pitch = std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0)));
-  const double s = std::sin(yaw), c = std::cos(yaw);
-  const double roll = std::atan2(s * r(0, 2) - c * r(1, 2), c * r(1, 1) - s * r(0, 1));
-  return vector_text(roll, pitch, yaw);
-}
+std::string vector_text(const Vector3d& v) { return exact(v.x()) + " " + exact(v.y()) + " " + exact(v.z()); }
 
 class GraphWriter {
  public:
@@ -65,12 +54,6 @@ class GraphWriter {
 
  private:
   void problem(const std::string& text) { graph_.problems.push_back(file_ + " " + text); }
-
-  static std::string new_name(const std::string& name, std::set<std::string>& taken) {
-    std::string result = name;
-    for (int k = 2; !taken.insert(result).second; ++k) result = name + "_" + std::to_string(k);
-    return result;
-  }
 
   void add_link(const std::string& name) {
     robot_->InsertNewChildElement("link")->SetAttribute("name", name.c_str());
@@ -120,7 +103,7 @@ class GraphWriter {
 
   static void set_frame(XMLElement* element, const Isometry3d& frame) {
     element->SetAttribute("xyz", vector_text(frame.translation()).c_str());
-    element->SetAttribute("rpy", angles_text(frame.linear()).c_str());
+    element->SetAttribute("rpy", vector_text(roll_pitch_yaw(frame.linear())).c_str());
   }
 
   // The first link is turned as the child is; between several axes are links of their own, and where the

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,13 @@ struct RobotGraph {
   std::vector<std::string> notes;  ///< what was not used, each a message without the name of the file
   Problems problems;               ///< each a message that names the file
 };
+
+/// That name, or with a number behind it where it is taken; it is then taken, too.
+inline std::string new_name(const std::string& name, std::set<std::string>& taken) {
+  std::string result = name;
+  for (int k = 2; !taken.insert(result).second; ++k) result = name + "_" + std::to_string(k);
+  return result;
+}
 
 /// Reads `file` into an empty graph; a library for each format has such a function.
 using ReadRobotGraph = void (*)(const std::string& file, RobotGraph& graph);

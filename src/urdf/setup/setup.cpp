@@ -268,8 +268,8 @@ class Setup {
     return result_;
   }
 
-  // Whether the ends that most speaks for make a robot once one element is edited, or none whatever is: then
-  // that is at fault, and not which ends meet.
+  // Whether the ends with the most evidence make a robot once one element is edited, or none whatever is
+  // edited: then that is the cause, and not which ends meet.
   bool explains(const ClosedResult& first, const OpenEnds& ends) {
     if (first.problems.empty() || first.tried.empty()) return false;
     SetupResult before = result_;

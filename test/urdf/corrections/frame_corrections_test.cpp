@@ -123,8 +123,8 @@ TEST(FrameCorrection, IsAClosureThatIsMissing) {
 // well, but with another geometry.
 TEST(FrameCorrection, IsAClosureThatIsMissingBeforeItIsAWrongLink) {
   for (const std::string closure : {"1b", "2a", "2b", "3a", "3b"}) {
-    Description robot{test::source_file("test/data/culprits/delta_in_pairs.urdf"),
-                      test::source_file("test/data/culprits/delta_in_pairs.yaml")};
+    Description robot{test::source_file("test/data/faulty/delta_in_pairs.urdf"),
+                      test::source_file("test/data/faulty/delta_in_pairs.yaml")};
     robot.config = replaced(
         robot.config, "    - {type: point, frames: [rodend_" + closure + ", ball_" + closure + "]}\n", "");
     const std::string said = sentence(robot);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TEST_URDF_CULPRITS_PLACED_CLOSURES_H
-#define PARALLEL_ASPECTS_TEST_URDF_CULPRITS_PLACED_CLOSURES_H
+#ifndef PARALLEL_ASPECTS_TEST_URDF_DIAGNOSIS_PLACED_CLOSURES_H
+#define PARALLEL_ASPECTS_TEST_URDF_DIAGNOSIS_PLACED_CLOSURES_H
 
 #include "support/descriptions.h"
 #include <algorithm>
@@ -135,4 +135,4 @@ inline std::vector<PlacedClosures> followed_apart(const PlacedClosures& closures
 
 }  // namespace parallel_aspects::test
 
-#endif  // PARALLEL_ASPECTS_TEST_URDF_CULPRITS_PLACED_CLOSURES_H
+#endif  // PARALLEL_ASPECTS_TEST_URDF_DIAGNOSIS_PLACED_CLOSURES_H

@@ -46,8 +46,8 @@ std::string note_with(const Mechanism& mechanism, const std::string& words) {
 
 // With the work of the command, whose answer depends on nothing else; no other order of its ends is offered.
 TEST(Setup, SaysThatARobotIsSingularInEveryPose) {
-  const SetupResult result = set_up(test::source_file("test/data/culprits/singular_hexapod.urdf"),
-                                    "robot.urdf", "robot.yaml", {}, SetupControl{25000});
+  const SetupResult result = set_up(test::source_file("test/data/faulty/singular_hexapod.urdf"), "robot.urdf",
+                                    "robot.yaml", {}, SetupControl{25000});
   EXPECT_FALSE(result.question);
   ASSERT_EQ(result.problems.size(), 1U);
   EXPECT_NE(
@@ -196,14 +196,14 @@ TEST(Setup, SaysThatItDidNotTryAllWaysToClose) {
 // No file was written, and no value given: the options that were tried can be typed as they stand.
 TEST(Setup, RefusesInTheWordsOfItsOptions) {
   for (const char* name : {"four_bar", "serial_arm"}) {
-    const std::string urdf = test::source_file("test/data/culprits/" + std::string(name) + ".urdf");
+    const std::string urdf = test::source_file("test/data/faulty/" + std::string(name) + ".urdf");
     const SetupResult result = set_up_text(urdf);
     ASSERT_FALSE(result.problems.empty()) << name;
     for (const std::string& problem : result.problems)
       for (const char* key : {"robot.yaml", "operational_point", "actuated_joints", "mechanism."})
         EXPECT_EQ(problem.find(key), std::string::npos) << problem;
   }
-  const SetupResult four_bar = set_up_text(test::source_file("test/data/culprits/four_bar.urdf"));
+  const SetupResult four_bar = set_up_text(test::source_file("test/data/faulty/four_bar.urdf"));
   EXPECT_NE(listed(four_bar.problems).find("name them with --closures"), std::string::npos)
       << listed(four_bar.problems);
 }

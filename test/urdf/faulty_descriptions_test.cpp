@@ -17,9 +17,9 @@ using test::moving_joint;
 using test::replaced;
 using test::shipped_text;
 
-Description culprit(const std::string& name) {
-  return {test::source_file("test/data/culprits/" + name + ".urdf"),
-          test::source_file("test/data/culprits/" + name + ".yaml")};
+Description faulty(const std::string& name) {
+  return {test::source_file("test/data/faulty/" + name + ".urdf"),
+          test::source_file("test/data/faulty/" + name + ".yaml")};
 }
 
 Problems refusal(const Description& description) {
@@ -31,7 +31,7 @@ TEST(Culprit, IsAFourBar) {
   const std::string end =
       " is not on a slide; of those only a platform on a slide, which one leg moves (T1), is treated.";
   for (const std::string link : {"coupler", "tip", "rocker", "rocker_tip"}) {
-    Description four_bar = culprit("four_bar");
+    Description four_bar = faulty("four_bar");
     four_bar.config = replaced(four_bar.config, "point: coupler", "point: " + link);
     EXPECT_EQ(refusal(four_bar), Problems{start + "operational_point '" + link + "'" + end});
     four_bar.config = replaced(four_bar.config, "[crank_joint]", "[crank_joint, rocker_joint]");
@@ -41,7 +41,7 @@ TEST(Culprit, IsAFourBar) {
 
 // Two legs of a five-bar hold a platform that can only slide; one alone would be a robot in T1.
 TEST(Culprit, IsASliderThatTwoLegsHold) {
-  Description robot = culprit("held_slider");
+  Description robot = faulty("held_slider");
   EXPECT_EQ(
       refusal(robot),
       Problems{
@@ -86,7 +86,7 @@ TEST(Culprit, MayBeALinkThatTwoClosuresHold) {
 
 // All four sides of a parallelogram move along circles, but for a moment along lines.
 TEST(Culprit, IsAParallelogram) {
-  Description four_bar = culprit("four_bar");
+  Description four_bar = faulty("four_bar");
   four_bar.urdf = replaced(four_bar.urdf, "xyz=\"3.5 0 0\"", "xyz=\"3 0 0\"");
   four_bar.urdf = replaced(four_bar.urdf, "xyz=\"2 0 0\"", "xyz=\"1 0 0\"");
   const Problems problems = refusal(four_bar);
@@ -97,7 +97,7 @@ TEST(Culprit, IsAParallelogram) {
 
 // A crank on a slide is one, and its slider is a platform.
 TEST(Culprit, IsTheOperationalPointOfASliderCrank) {
-  Description slider = culprit("slider_crank");
+  Description slider = faulty("slider_crank");
   EXPECT_EQ(refusal(slider),
             Problems{"robot.yaml has operational_point 'rod', but the legs of robot.urdf meet in link "
                      "'slider'; write operational_point: slider, which makes it a robot in T1."});
@@ -106,7 +106,7 @@ TEST(Culprit, IsTheOperationalPointOfASliderCrank) {
 }
 
 TEST(Culprit, IsAnOperationalPointBesideTheJointsOfAHub) {
-  Description robot = culprit("hub");
+  Description robot = faulty("hub");
   EXPECT_EQ(refusal(robot), Problems{"robot.yaml has operational_point 'camera', but the legs of robot.urdf "
                                      "meet in link 'hub'; write operational_point: hub, which makes it a "
                                      "robot in T2."});
@@ -116,14 +116,14 @@ TEST(Culprit, IsAnOperationalPointBesideTheJointsOfAHub) {
 
 TEST(Culprit, IsABoomThatAPistonTurns) {
   EXPECT_EQ(
-      refusal(culprit("boom")),
+      refusal(faulty("boom")),
       Problems{"robot.urdf turns operational_point 'boom_tip' about joint 'boom_joint' alone, as a boom that "
                "a piston moves; of linkages of one degree of freedom only a platform on a slide, which one "
                "leg moves (T1), is treated."});
 }
 
 TEST(Culprit, IsASerialArm) {
-  EXPECT_EQ(refusal(culprit("serial_arm")),
+  EXPECT_EQ(refusal(faulty("serial_arm")),
             Problems{"robot.urdf is a serial arm, one chain of 3 joints from link 'base' to link 'c' without "
                      "a loop; there is nothing to close, and only parallel robots are treated."});
 }
@@ -284,7 +284,7 @@ void set_range(Description& robot, const std::string& joint, const Range& range)
 }
 
 Description symmetric_five_bar(const Ranges& ranges) {
-  Description robot = culprit("symmetric_five_bar");
+  Description robot = faulty("symmetric_five_bar");
   set_range(robot, "left_motor", ranges.left_motor);
   set_range(robot, "right_motor", ranges.right_motor);
   set_range(robot, "left_elbow", ranges.left_elbow);
@@ -331,7 +331,7 @@ TEST(Assembly, IsSaidToBeImpossibleWhereItIs) {
 
 TEST(Assembly, IsFoundOfASliderInLineWithItsCrank) {
   for (const char* beside : {"0 0 0", "0 0.0001 0", "0 0.01 0"}) {
-    Description slider = culprit("in_line_slider");
+    Description slider = faulty("in_line_slider");
     slider.urdf =
         replaced(slider.urdf, "<origin xyz=\"0 0 0\"/>", std::string("<origin xyz=\"") + beside + "\"/>");
     const auto mechanism = test::load(slider);
@@ -365,7 +365,7 @@ TEST(Culprit, IsARevoluteClosureWhereBallsFit) {
 // Whatever ends are exchanged, that is no mistake of the description.
 TEST(Culprit, IsAPlatformThatNoPoseHolds) {
   EXPECT_EQ(
-      refusal(culprit("singular_hexapod")),
+      refusal(faulty("singular_hexapod")),
       Problems{"robot.urdf is assembled, but singular in every pose: det A is zero to rounding in all 12 "
                "random poses that were tried, so that its actuated joints never hold operational_point "
                "'plate'; change the places of the joints on base or platform, which are, for instance, "
@@ -382,7 +382,7 @@ std::string with_axes_of_links(std::string urdf, const std::vector<std::string>&
 
 // A mistake in one leg is made in every leg, and in none that has no such closure.
 TEST(Culprit, IsTheFrameOfTheAxesOfLikeClosures) {
-  Description robot = culprit("upright_three_rrr");
+  Description robot = faulty("upright_three_rrr");
   EXPECT_EQ(refusal(robot),
             Problems{"robot.urdf states axes for 'wrist_2', 'wrist_3' about which their links do not turn; "
                      "write <axis><xyz expressed_in=\"lower_2\">0 0 1</xyz></axis> for 'wrist_2', <axis><xyz "
@@ -396,7 +396,7 @@ TEST(Culprit, IsTheFrameOfTheAxesOfLikeClosures) {
                      "robot in SE2."});
   robot.urdf = with_axes_of_links(both, {"lower_2", "lower_3"});
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::SE2);
-  Description delta = culprit("delta_of_parallelograms");
+  Description delta = faulty("delta_of_parallelograms");
   const Problems said = refusal(delta);
   ASSERT_EQ(said.size(), 1U);
   EXPECT_EQ(said[0].rfind("robot.urdf states axes for 'close_1', 'close_2', 'close_3' about which", 0), 0U)
