@@ -4,12 +4,8 @@
 #include "aspects/cusps/strut_slice.h"
 #include "aspects/enclosures/strut_images.h"
 #include "aspects/zeros/krawczyk.h"
-#include "interval/scalar_range.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <queue>
@@ -70,81 +66,39 @@ struct PoseFunctions {
   }
 };
 
-/// Krawczyk's test in four coordinates, see `krawczyk_test`.
-class NodeTest {
- public:
-  NodeTest(const StrutSlice& slice, const BoxPair& boxes) : boxes_(boxes) {
-    const PoseFunctions first(slice, boxes[0]), second(slice, boxes[1]);
-    for (std::size_t i = 0; i < 2; ++i) {
-      center_[i] = first.center[i] - second.center[i];
-      for (std::size_t k = 0; k < 2; ++k) {
-        jacobian_[i][k] = first.gradients[i][k];
-        jacobian_[i][2 + k] = -second.gradients[i][k];
-        jacobian_[2][k] = first.gradients[2][k];
-        jacobian_[3][2 + k] = second.gradients[2][k];
-      }
+/// The equations of a node, see `find_node_boxes`, over a box about either pose.
+SystemOverBox<4> node_equations(const StrutSlice& slice, const BoxPair& boxes) {
+  const PoseFunctions first(slice, boxes[0]), second(slice, boxes[1]);
+  SystemOverBox<4> system{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    system.center[i] = first.center[i] - second.center[i];
+    for (std::size_t k = 0; k < 2; ++k) {
+      system.jacobian[i][k] = first.gradients[i][k];
+      system.jacobian[i][2 + k] = -second.gradients[i][k];
+      system.jacobian[2][k] = first.gradients[2][k];
+      system.jacobian[3][2 + k] = second.gradients[2][k];
     }
-    center_[2] = first.center[2];
-    center_[3] = second.center[2];
   }
+  system.center[2] = first.center[2];
+  system.center[3] = second.center[2];
+  return system;
+}
 
-  struct Result {
-    Zeros zeros = Zeros::unknown;
-    BoxPair enclosure;
-  };
-
-  Result run() const {
-    Result result{Zeros::one, boxes_};
-    const Eigen::Matrix4d y = preconditioner();
-    if (!y.allFinite()) return {Zeros::unknown, boxes_};
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Interval k = coordinate(y, i);
-      if (!std::isfinite(k.lower()) || !std::isfinite(k.upper())) return {Zeros::unknown, boxes_};
-      if (k.lower() > half(i).upper() || k.upper() < -half(i).upper()) return {Zeros::none, boxes_};
-      if (!(-half(i).lower() < k.lower() && k.upper() < half(i).lower())) result.zeros = Zeros::unknown;
-      Box& box = result.enclosure[i / 2];
-      const Interval at = Interval(boxes_[i / 2].center(i % 2)) + k * reciprocal(pi_enclosure());
-      box.lower[i % 2] = at.lower();
-      box.upper[i % 2] = at.upper();
-    }
-    return result;
-  }
-
- private:
-  Eigen::Matrix4d preconditioner() const {
-    Eigen::Matrix4d middle;
-    for (int i = 0; i < 4; ++i)
-      for (int k = 0; k < 4; ++k)
-        middle(i, k) = middle_of(jacobian_[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]);
-    return middle.inverse();
-  }
-
-  /// How far the middle is from both faces, at most and at least [rad].
-  Interval half(std::size_t i) const {
-    const Box& box = boxes_[i / 2];
-    const Interval middle(box.center(i % 2));
-    const Interval above = pi_enclosure() * (Interval(box.upper[i % 2]) - middle);
-    const Interval below = pi_enclosure() * (middle - Interval(box.lower[i % 2]));
-    return {std::min(above.lower(), below.lower()), std::max(above.upper(), below.upper())};
-  }
-
-  Interval coordinate(const Eigen::Matrix4d& y, std::size_t i) const {
-    const auto row = static_cast<Eigen::Index>(i);
-    Interval sum;
-    for (std::size_t j = 0; j < 4; ++j) sum += Interval(-y(row, static_cast<Eigen::Index>(j))) * center_[j];
-    for (std::size_t k = 0; k < 4; ++k) {
-      Interval deviation(i == k ? 1.0 : 0.0);
-      for (std::size_t j = 0; j < 4; ++j)
-        deviation += Interval(-y(row, static_cast<Eigen::Index>(j))) * jacobian_[j][k];
-      sum += deviation * Interval(-half(k).upper(), half(k).upper());
-    }
-    return sum;
-  }
-
-  BoxPair boxes_;
-  std::array<Interval, 4> center_;
-  std::array<std::array<Interval, 4>, 4> jacobian_;
+struct NodeZeros {
+  Zeros zeros = Zeros::unknown;
+  BoxPair enclosure;
 };
+
+NodeZeros test_node(const StrutSlice& slice, const BoxPair& boxes) {
+  std::array<DistanceToFaces, 4> faces;
+  for (std::size_t i = 0; i < 4; ++i) faces[i] = distance_to_faces(boxes[i / 2], i % 2);
+  const auto found = krawczyk_test(faces, node_equations(slice, boxes));
+  NodeZeros result{found.zeros, boxes};
+  if (found.from_middle)
+    for (std::size_t i = 0; i < 4; ++i)
+      set_from_middle((*found.from_middle)[i], i % 2, result.enclosure[i / 2]);
+  return result;
+}
 
 bool contains_pair(const BoxPair& outer, const BoxPair& inner) {
   return (contains_up_to_turns(outer[0], inner[0]) && contains_up_to_turns(outer[1], inner[1])) ||
@@ -238,10 +192,10 @@ class NodeSearch {
     const auto is_known = [&](const Known& each) { return contains_pair(each.unique, boxes); };
     if (std::any_of(known_.begin(), known_.end(), is_known)) return true;
     const BoxPair wider{scaled(boxes[0], inflation), scaled(boxes[1], inflation)};
-    NodeTest::Result found = NodeTest(slice_, wider).run();
+    NodeZeros found = test_node(slice_, wider);
     if (found.zeros != Zeros::one) return found.zeros == Zeros::none;
     for (int k = 0; k < contractions; ++k) {
-      const NodeTest::Result next = NodeTest(slice_, found.enclosure).run();
+      const NodeZeros next = test_node(slice_, found.enclosure);
       for (std::size_t i = 0; i < 2; ++i)
         found.enclosure[i] = intersection(found.enclosure[i], next.enclosure[i]);
     }

@@ -4,37 +4,42 @@
 #include "interval/half_turns.h"
 #include "interval/scalar_range.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 
 namespace parallel_aspects {
 namespace {
 
-using Matrix = std::array<std::array<double, 2>, 2>;
+template <std::size_t N>
+using Matrix = Eigen::Matrix<double, static_cast<int>(N), static_cast<int>(N)>;
 
 /// An approximate inverse of the middle of the derivatives; any matrix would do.
-std::optional<Matrix> preconditioner(const PairOverBox& pair) noexcept {
-  const double a = middle_of(pair.jacobian[0][0]), b = middle_of(pair.jacobian[0][1]);
-  const double c = middle_of(pair.jacobian[1][0]), d = middle_of(pair.jacobian[1][1]);
-  const double determinant = a * d - b * c;
-  const Matrix y{{{d / determinant, -b / determinant}, {-c / determinant, a / determinant}}};
-  for (const auto& row : y)
-    for (const double each : row)
-      if (!std::isfinite(each)) return std::nullopt;
-  return y;
+template <std::size_t N>
+Matrix<N> preconditioner(const SystemOverBox<N>& system) noexcept {
+  Matrix<N> middle;
+  for (std::size_t i = 0; i < N; ++i)
+    for (std::size_t k = 0; k < N; ++k)
+      middle(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = middle_of(system.jacobian[i][k]);
+  return middle.inverse();
 }
 
-/// Coordinate i of K - x [rad], where X - x is from -half to half.
-Interval krawczyk_coordinate(const PairOverBox& pair, const std::array<double, 2>& y, std::size_t i,
-                             const std::array<double, 2>& half) noexcept {
-  Interval sum = -(Interval(y[0]) * pair.center[0] + Interval(y[1]) * pair.center[1]);
-  sum += (Interval(y[0]) * pair.drift[0] + Interval(y[1]) * pair.drift[1]) * Interval(-1.0, 1.0);
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Interval product = Interval(y[0]) * pair.jacobian[0][k] + Interval(y[1]) * pair.jacobian[1][k];
-    const Interval deviation = Interval(i == k ? 1.0 : 0.0) - product;
-    sum += deviation * Interval(-half[k], half[k]);
+/// Coordinate i of K - x [rad], from row i of Y.
+template <std::size_t N>
+Interval krawczyk_coordinate(const SystemOverBox<N>& system, const std::array<Interval, N>& y, std::size_t i,
+                             const std::array<DistanceToFaces, N>& faces) noexcept {
+  Interval at_middle, drift;
+  for (std::size_t j = 0; j < N; ++j) {
+    at_middle += y[j] * system.center[j];
+    drift += y[j] * system.drift[j];
+  }
+  Interval sum = drift * Interval(-1.0, 1.0) - at_middle;
+  for (std::size_t k = 0; k < N; ++k) {
+    Interval deviation(i == k ? 1.0 : 0.0);
+    for (std::size_t j = 0; j < N; ++j) deviation = deviation - y[j] * system.jacobian[j][k];
+    sum += deviation * Interval(-faces[k].most, faces[k].most);
   }
   return sum;
 }
@@ -47,28 +52,48 @@ void move_by(double turns, std::size_t angle, Box& box) noexcept {
 
 }  // namespace
 
-ZeroSearch krawczyk_test(const Box& box, const PairOverBox& pair) noexcept {
+template <std::size_t N>
+SystemZeros<N> krawczyk_test(const std::array<DistanceToFaces, N>& faces,
+                             const SystemOverBox<N>& system) noexcept {
   assert_rounding_upward();
-  const auto y = preconditioner(pair);
-  if (!y) return {Zeros::unknown, box};
-  std::array<double, 2> half, least;  // the middle is at most and at least this far from the faces [rad]
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Interval middle(box.center(i));
-    const Interval above = pi_enclosure() * (Interval(box.upper[i]) - middle);
-    const Interval below = pi_enclosure() * (middle - Interval(box.lower[i]));
-    half[i] = std::max(above.upper(), below.upper());
-    least[i] = std::min(above.lower(), below.lower());
+  const Matrix<N> y = preconditioner(system);
+  if (!y.allFinite()) return {};
+  SystemZeros<N> result{Zeros::one, std::array<Interval, N>{}};
+  for (std::size_t i = 0; i < N; ++i) {
+    std::array<Interval, N> row;
+    for (std::size_t j = 0; j < N; ++j)
+      row[j] = Interval(y(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+    const Interval k = (*result.from_middle)[i] = krawczyk_coordinate(system, row, i, faces);
+    if (!std::isfinite(k.lower()) || !std::isfinite(k.upper())) return {};
+    if (k.lower() > faces[i].most || k.upper() < -faces[i].most) return {Zeros::none, std::nullopt};
+    if (!(-faces[i].least < k.lower() && k.upper() < faces[i].least)) result.zeros = Zeros::unknown;
   }
-  ZeroSearch result{Zeros::one, box};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Interval k = krawczyk_coordinate(pair, (*y)[i], i, half);
-    if (!std::isfinite(k.lower()) || !std::isfinite(k.upper())) return {Zeros::unknown, box};
-    if (k.lower() > half[i] || k.upper() < -half[i]) return {Zeros::none, box};
-    if (!(-least[i] < k.lower() && k.upper() < least[i])) result.zeros = Zeros::unknown;
-    const Interval at = Interval(box.center(i)) + k * reciprocal(pi_enclosure());
-    result.enclosure.lower[i] = at.lower();
-    result.enclosure.upper[i] = at.upper();
-  }
+  return result;
+}
+
+template SystemZeros<2> krawczyk_test(const std::array<DistanceToFaces, 2>&,
+                                      const SystemOverBox<2>&) noexcept;
+template SystemZeros<4> krawczyk_test(const std::array<DistanceToFaces, 4>&,
+                                      const SystemOverBox<4>&) noexcept;
+
+DistanceToFaces distance_to_faces(const Box& box, std::size_t i) noexcept {
+  const Interval middle(box.center(i));
+  const Interval above = pi_enclosure() * (Interval(box.upper[i]) - middle);
+  const Interval below = pi_enclosure() * (middle - Interval(box.lower[i]));
+  return {std::min(above.lower(), below.lower()), std::max(above.upper(), below.upper())};
+}
+
+void set_from_middle(const Interval& radians, std::size_t i, Box& box) noexcept {
+  const Interval at = Interval(box.center(i)) + radians * reciprocal(pi_enclosure());
+  box.lower[i] = at.lower();
+  box.upper[i] = at.upper();
+}
+
+ZeroSearch krawczyk_test(const Box& box, const PairOverBox& pair) noexcept {
+  const auto found = krawczyk_test<2>({distance_to_faces(box, 0), distance_to_faces(box, 1)}, pair);
+  ZeroSearch result{found.zeros, box};
+  if (found.from_middle)
+    for (std::size_t i = 0; i < 2; ++i) set_from_middle((*found.from_middle)[i], i, result.enclosure);
   return result;
 }
 

@@ -6,20 +6,26 @@
 #include "parallel_aspects/aspects/box.h"
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace parallel_aspects {
 
-/// Two functions of the coordinates of a slice over a box of it: their values in the middle, and their
-/// derivatives by radians everywhere in the box.
-struct PairOverBox {
-  std::array<Interval, 2> center;
-  std::array<std::array<Interval, 2>, 2> jacobian;
-  /// Where the functions depend on a parameter from -1 to 1: this times it is taken from both.
-  std::array<Interval, 2> drift{};
+/// N functions of N coordinates over a box: their values in the middle, and their derivatives everywhere in
+/// the box, by radians where a coordinate is an angle.
+template <std::size_t N>
+struct SystemOverBox {
+  std::array<Interval, N> center;
+  std::array<std::array<Interval, N>, N> jacobian;
+  /// Where the functions depend on a parameter from -1 to 1: this times it is taken from all.
+  std::array<Interval, N> drift{};
 };
 
-/// What Krawczyk's test proves of the zeros of both functions in a box.
+/// Two functions of the coordinates of a slice.
+using PairOverBox = SystemOverBox<2>;
+
+/// What Krawczyk's test proves of the zeros of all functions in a box.
 enum class Zeros {
   none,     ///< there are none
   one,      ///< there is exactly one, and it is regular
@@ -31,10 +37,34 @@ struct ZeroSearch {
   Box enclosure;  ///< of every zero in the box [half turns]
 };
 
+/// How far the faces of a box are from its middle, along one coordinate [rad].
+struct DistanceToFaces {
+  double least, most;
+};
+
+/// What is proved of the zeros of a system in a box.
+template <std::size_t N>
+struct SystemZeros {
+  Zeros zeros = Zeros::unknown;
+  /// Encloses them, from the middle of the box [rad]. Nothing where there are none, or arithmetic fails.
+  std::optional<std::array<Interval, N>> from_middle;
+};
+
 /// Krawczyk's test (R. Krawczyk, Computing 4, 1969): with x in the middle of the box X, F there and F' over
 /// X, every zero in X is in K = x - Y F(x) + (I - Y F') (X - x), whatever Y; and if K lies in the interior of
-/// X, F has exactly one zero in X. With a drift all of this holds for each value of the parameter. Needs a
-/// live `RoundingUpward`.
+/// X, F has exactly one zero in X. With a drift all of this holds for each value of the parameter. For two
+/// and for four functions. Needs a live `RoundingUpward`.
+template <std::size_t N>
+SystemZeros<N> krawczyk_test(const std::array<DistanceToFaces, N>& faces,
+                             const SystemOverBox<N>& system) noexcept;
+
+/// How far the faces of a box of a slice are from its middle, along coordinate i.
+DistanceToFaces distance_to_faces(const Box& box, std::size_t i) noexcept;
+
+/// Coordinate i of `box`, whose edges are in half turns, is set to this much [rad] from its middle.
+void set_from_middle(const Interval& radians, std::size_t i, Box& box) noexcept;
+
+/// The test of a box of a slice.
 ZeroSearch krawczyk_test(const Box& box, const PairOverBox& pair) noexcept;
 
 /// What two boxes that hold one point have in common.
