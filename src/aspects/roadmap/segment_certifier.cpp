@@ -19,9 +19,20 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double first_step = 0.25;
 constexpr double shortest_step = 0x1p-30;
-constexpr double aimed_ratio = 0.75;  // of a step, against the longest that passes
+
+// Whether all of a segment is free shows soonest in one step over all of it, or in the middle of that. Where
+// a march goes as far as it can, a violation in that middle would end it too early.
+constexpr double all_at_once = 1.0, step_of_a_march = 0.25;
+
+// The next step aims at this ratio, of which 1 just fails, and is at most so much shorter or longer. Of 2,400
+// random segments of six robots, half of them free, 0.75, 1/8 and 4 tried 25 parts of a free one, and these
+// 21; from 0.8 to 0.9, 1/4 to 1/2 and 1.25 to 1.5 it is less than a part more.
+constexpr double aimed_ratio = 0.85, most_shortened = 0.35, most_lengthened = 1.5;
+double next_step(double step, double ratio) noexcept {
+  return step * std::clamp(aimed_ratio / ratio, most_shortened, most_lengthened);
+}
+
 constexpr int parts_between_looks = 16;
 constexpr int points_of_a_look = 12;
 
@@ -105,11 +116,11 @@ class SegmentCertifier::Evaluation {
     return bounds;
   }
 
-  /// Part by part from a start with this sign of det A, as long as the parts may be.
-  SegmentProof march(int sign, int max_parts, double begin = 0.0) {
+  /// Part by part from a start with this sign of det A, the first of this length, as long as the parts may
+  /// be.
+  SegmentProof march(int sign, int max_parts, double step, double begin = 0.0) {
     SegmentProof proof;
     proof.free_until = begin;
-    double step = first_step;
     while (proof.verdict == SegmentVerdict::undecided && proof.parts < max_parts && step >= shortest_step) {
       // Towards a singularity parts become ever shorter; whether one lies ahead shows at single points.
       if (++proof.parts % parts_between_looks == 0 && look_ahead(sign, proof)) break;
@@ -117,11 +128,11 @@ class SegmentCertifier::Evaluation {
       if (is_free(proof.free_until, end)) {
         proof.free_until = end;
         if (end >= 1.0) proof.verdict = SegmentVerdict::free;
-        step *= std::clamp(aimed_ratio / ratio_, 0.5, 4.0);
+        step = next_step(step, ratio_);
       } else {
         const double ratio = ratio_;
         block_if_violated(0.5 * (proof.free_until + end), sign, proof);
-        step *= std::clamp(aimed_ratio / ratio, 0.125, 0.5);
+        step = next_step(step, ratio);
       }
     }
     return proof;
@@ -154,7 +165,7 @@ class SegmentCertifier::Evaluation {
       const double ratio = ratio_;
       if (free) proof.free_until = end;
       if (!free) block_if_violated(end, sign, proof);
-      step *= free ? std::clamp(aimed_ratio / ratio, 0.5, 4.0) : std::clamp(aimed_ratio / ratio, 0.125, 0.5);
+      step = next_step(step, ratio);
     }
   }
 
@@ -319,14 +330,14 @@ SegmentProof SegmentCertifier::prove(const Pose& from, const Pose& to, const Wor
                                                                     : Violation::none;
   if (found != Violation::none) return {SegmentVerdict::blocked, found, 0.0, 1.0, 0};
   if (start.sign == 0 || end.sign == 0) return {};
-  return march(from, to, mode, start.sign, max_parts);
+  return march(from, to, mode, start.sign, max_parts, all_at_once);
 }
 
 SegmentProof SegmentCertifier::prove_start(const Pose& from, const Pose& to, const WorkingMode& mode,
                                            int max_parts) const noexcept {
   const ConfigurationProof start = prove(from, mode);
   if (start.sign == 0 || !is_usable(to, longest_length)) return {};
-  return march(from, to, mode, start.sign, max_parts);
+  return march(from, to, mode, start.sign, max_parts, step_of_a_march);
 }
 
 SegmentProof SegmentCertifier::prove_to_violation(const Pose& from, const Pose& to, const WorkingMode& mode,
@@ -344,7 +355,7 @@ SegmentProof SegmentCertifier::prove_to_violation(const Pose& from, const Pose& 
   if (start.proved_violation != Violation::none)
     return {SegmentVerdict::blocked, start.proved_violation, begin, begin, 0, start};
   if (start.sign == 0) return {SegmentVerdict::undecided, Violation::none, begin};
-  SegmentProof proof = evaluation.march(start.sign, max_parts / 2, begin);
+  SegmentProof proof = evaluation.march(start.sign, max_parts / 2, step_of_a_march, begin);
   if (proof.verdict != SegmentVerdict::free)
     evaluation.approach_violation(start.sign, width, max_parts, proof);
   return proof;
@@ -391,9 +402,9 @@ NeighbourhoodProof SegmentCertifier::prove_around(const Pose& pose, double displ
 }
 
 SegmentProof SegmentCertifier::march(const Pose& from, const Pose& to, const WorkingMode& mode, int sign,
-                                     int max_parts) const noexcept {
+                                     int max_parts, double step) const noexcept {
   const RoundingUpward rounding;
-  return Evaluation(*this, {from, to}, mode).march(sign, max_parts);
+  return Evaluation(*this, {from, to}, mode).march(sign, max_parts, step);
 }
 
 }  // namespace parallel_aspects

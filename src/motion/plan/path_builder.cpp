@@ -130,15 +130,7 @@ bool is_straight(const PlannedPath& path) {
 }
 
 std::vector<PathShape> shapes_for(PathPreference preference) {
-  switch (preference) {
-    case PathPreference::quick:
-      return {short_shape};
-    case PathPreference::clear:
-      return {short_shape, clear_shape};
-    case PathPreference::shortest:
-    case PathPreference::fast:
-      break;
-  }
+  if (preference == PathPreference::quick) return {short_shape};
   return {short_shape, {true, 0.0}, {true, 0.5}, clear_shape};
 }
 

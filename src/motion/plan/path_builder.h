@@ -86,7 +86,8 @@ class BestPath {
 /// Whether no path is shorter.
 bool is_straight(const PlannedPath& path);
 
-/// Shapes of paths of which one may be what is preferred; the shortest first.
+/// Shapes of paths of which one may be what is preferred; the shortest first. All preferences but `quick`
+/// choose among the same, so that of two answers each is the better one by its own measure.
 std::vector<PathShape> shapes_for(PathPreference preference);
 
 }  // namespace parallel_aspects
