@@ -58,10 +58,9 @@ TrackerCore::TrackerCore(std::shared_ptr<const Manipulator> manipulator, const T
 
 void TrackerCore::set_map(std::shared_ptr<const AspectMap> map) noexcept {
   map_ = std::move(map);
-  transitions_ = {};
   state_.aspect = last_aspect_ = reported_aspect_ = 0;
   if (state_.followed()) identify_aspect();
-  transitions_ = {};
+  transitions_ = {};  // the robot is where it was: that its aspect has a number now is none
 }
 
 bool TrackerCore::start(double time, const JointVector& q, const Pose& pose, double tolerance,

@@ -70,12 +70,14 @@ void SignGraph::take_in_proof(const PoseTree& tree, NodeIndex node) {
 void SignGraph::unite(LeafSlot a, LeafSlot b) {
   const std::uint32_t one = current(a.place()), other = current(b.place());
   if (one == other) return;
+  // The larger set decides whether contacts of both are worth work: one that was given up stays so when
+  // crumbs join it, and a crumb that was given up is worth it again as part of a larger set that was not.
   const Traits &larger = traits_[traits_[one].leaves < traits_[other].leaves ? other : one],
                &smaller = traits_[&larger == &traits_[one] ? other : one];
   const Traits traits{larger.has_inside_leaf || smaller.has_inside_leaf, larger.climbed || smaller.climbed,
                       larger.is_given_up, larger.leaves + smaller.leaves};
   components_.unite(one, other);
-  traits_[std::min(one, other)] = traits;
+  traits_[std::min(one, other)] = traits;  // the smallest member stands for a set, see `DisjointSets`
 }
 
 void SignGraph::connect(const PoseTree& tree, NodeIndex a, NodeIndex b) {

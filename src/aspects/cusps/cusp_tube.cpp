@@ -92,6 +92,12 @@ constexpr std::array<double, 3> wide_tubes{0.3, 0.1, 0.02};
 
 constexpr int newton_steps = 8, widenings = 6;
 
+// Where a cross section was too narrow for Krawczyk's test, the next holds what the test enclosed, and half
+// as much again, since it must lie inside (epsilon inflation: S. M. Rump, Verification methods, Acta Numerica
+// 19, 2010). One of 45 degrees to either side holds too much of the torus for one zero: a shorter tube is
+// tried.
+constexpr double more_than_enclosed = 1.5, widest_half = 0.25;
+
 std::array<std::size_t, 2> others_of(std::size_t axis) noexcept {
   return {axis == 0 ? std::size_t{1} : std::size_t{0}, axis == 2 ? std::size_t{1} : std::size_t{2}};
 }
@@ -230,8 +236,8 @@ std::optional<CuspTube> tube_about(SliceFamily& family, std::size_t axis, const 
     for (std::size_t i = 0; i < 2; ++i) {
       const double middle = tube.cross.center(i);
       const double needed = std::max(tube.enclosed.upper[i] - middle, middle - tube.enclosed.lower[i]);
-      if (!(needed < 0.25)) return std::nullopt;
-      width[i] = std::max(width[i], 1.5 * needed);
+      if (!(needed < widest_half)) return std::nullopt;
+      width[i] = std::max(width[i], more_than_enclosed * needed);
     }
   }
   return std::nullopt;

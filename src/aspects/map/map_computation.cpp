@@ -113,7 +113,8 @@ BaseMapStatus grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std
 
 namespace {
 
-// Of a map without a search for small aspects, and of one with it where there are three degrees of freedom.
+// Shares of the progress that is shown, about those of the time: of a map without a search for small aspects,
+// and of one with it where there are three degrees of freedom.
 constexpr double share_of_base_map = 0.9, share_of_complete_base_map = 0.1;
 
 // Graphs of leaves take most of the memory. Those of a large map are in it for so many working modes at a
