@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints a table of docs/benchmarks.md: paths around the cusps of the 3-RPR, played into the tracker with
-// noise of its encoders. Usage: cusp_campaign
+// Prints a table of docs/development/benchmarks.md: paths around the cusps of the 3-RPR, played into the
+// tracker with noise of its encoders. Usage: cusp_campaign
 #include "motion/choose/cusp_paths.h"
 #include "motion/choose/plan_around_cusp.h"
 #include "parallel_aspects/aspects/map_slice.h"

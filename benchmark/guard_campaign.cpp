@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints the table of docs/benchmarks.md: every shipped robot, pushed into each kind of hazard at 500 Hz.
-// Usage: guard_campaign RUNS SEED [ROBOT...]
+// Prints the table of docs/development/benchmarks.md: every shipped robot, pushed into each kind of hazard at
+// 500 Hz. Usage: guard_campaign RUNS SEED [ROBOT...]
 #include "support/guard_campaign.h"
 
 #include "support/robots/shipped.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints a table of docs/planning.md: short, clear, fast and quick paths between the same random
-// configurations. Usage: preference_campaign PAIRS [ROBOT...]
+// Prints a table of docs/development/benchmarks.md: short, clear, fast and quick paths between the same
+// random configurations. Usage: preference_campaign PAIRS [ROBOT...]
 #include "parallel_aspects/motion/plan_path.h"
 
 #include "support/campaign_figures.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints a row of the table of docs/benchmarks.md for each robot: `tracking_campaign STEPS SEED [ROBOT...]`.
+// Prints a row of the table of docs/development/benchmarks.md for each robot: `tracking_campaign STEPS SEED
+// [ROBOT...]`.
 #include "support/tracking_campaign.h"
 
 #include "support/robots/shipped.h"

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The five-bar of Chablat and Wenger (1998) with its aspects, and the same with longer rods: paper_figures.py [FOLDER]
 
-Needs the Python module (docs/python.md). Writes pictures into the folder, by default the present one.
+Needs the Python module (docs/reference/python.md). Writes pictures into the folder, by default the present one.
 """
 import collections
 import pathlib

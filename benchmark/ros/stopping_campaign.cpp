@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints a row of the table of docs/benchmarks.md for each robot and kind of hazard: `stopping_campaign RUNS
-// SEED [speed=SPEED] [noise=NOISE] [ROBOT...]`, with one speed [sizes of the robot a second] and one noise
-// [rad or sizes] where they are stated.
+// Prints a row of the table of docs/development/benchmarks.md for each robot and kind of hazard:
+// `stopping_campaign RUNS SEED [speed=SPEED] [noise=NOISE] [ROBOT...]`, with one speed [sizes of the robot a
+// second] and one noise [rad or sizes] where they are stated.
 #include "ros/monitor/stopping_campaign.h"
 
 #include "support/robots/shipped.h"

@@ -91,7 +91,8 @@ int run(Program& program, const std::vector<std::string>& arguments, const Surro
     return print(program.name + " " + std::string(package_version) + "\n", surroundings);
   Surroundings chosen = surroundings;
   for (Subcommand& subcommand : program.subcommands)
-    subcommand.flags.push_back({"--json", "Print JSON, as documented in docs/command.md", &chosen.json});
+    subcommand.flags.push_back(
+        {"--json", "Print JSON, as documented in docs/reference/command.md", &chosen.json});
   const Subcommand& subcommand = find_subcommand(program, arguments.front());
   if (!parse_arguments(subcommand, {arguments.begin() + 1, arguments.end()}))
     return print(help_of(program.name, subcommand), surroundings);

@@ -217,9 +217,9 @@ CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector&
 CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector& direction,
                                   const TaskVector& allowance, double share, double speed,
                                   double least) const noexcept {
-  // The theorem of docs/tracking.md, by its bounds for each leg: `row` of the change of A, `bend` of what F
-  // is off its linear part in q, `curvature` of D^2 F in the ball. Then g is `lost`, eta `moved` and k r
-  // `bent`.
+  // The theorem of docs/theory/tracking.md, by its bounds for each leg: `row` of the change of A, `bend` of
+  // what F is off its linear part in q, `curvature` of D^2 F in the ball. Then g is `lost`, eta `moved` and k
+  // r `bent`.
   LegBounds rod{}, row{}, bend{}, curvature{};
   for (std::size_t j = 0; j < size_; ++j) {
     const auto i = static_cast<Eigen::Index>(j);

@@ -42,8 +42,8 @@ struct CertifiedBall {
 ///
 ///     |C F(0, q)| + g r + k r^2 / 2 <= r    and    g + k r < 1,
 ///
-/// where g bounds |I - C DF(0, q)| and k is a Lipschitz constant of C DF in the ball. docs/tracking.md has
-/// the proof and the bounds. All of them are rounded outward, so what is certified is a theorem about the
+/// where g bounds |I - C DF(0, q)| and k is a Lipschitz constant of C DF in the ball. docs/theory/tracking.md
+/// has the proof and the bounds. All of them are rounded outward, so what is certified is a theorem about the
 /// model.
 ///
 /// Copies what it needs of the manipulator. Nothing but the constructor needs room; nothing throws. All but

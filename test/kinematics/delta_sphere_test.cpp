@@ -12,8 +12,8 @@
 namespace parallel_aspects {
 namespace {
 
-// Where the proximal points of a Delta, each moved by its anchor, can meet (docs/maps.md): the crank is
-// longer than the difference of the radii.
+// Where the proximal points of a Delta, each moved by its anchor, can meet (docs/theory/maps.md): the crank
+// is longer than the difference of the radii.
 struct MeetingPoint {
   explicit MeetingPoint(const Manipulator& robot) {
     const Leg& leg = robot.leg(0);

@@ -439,7 +439,7 @@ def test_pictures(aspects, tmp_path):
 
 def test_the_page_is_true(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    text = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "reference" / "python.md").read_text(encoding="utf-8")
     code = "\n\n".join(re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL))
     page = doctest.DocTestParser().get_doctest(code, {}, "python.md", None, 0)
     assert len(page.examples) > 20

@@ -24,8 +24,8 @@ namespace parallel_aspects::test {
 
 constexpr double guard_step = 0.002;  // of the loop [s]: 500 Hz
 
-/// A platform that follows twists late, and slows down at given decelerations: the model of docs/guard.md, by
-/// formulas of its own.
+/// A platform that follows twists late, and slows down at given decelerations: the model of
+/// docs/howto/guard.md, by formulas of its own.
 class LatePlatform {
  public:
   /// `delay`: of commands [s]; negative for one that differs from command to command, up to -delay.

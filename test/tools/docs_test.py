@@ -12,7 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "test" / "support"))
 import console  # pylint: disable=wrong-import-position
 
-PAGES = [ROOT / "README.md"] + sorted((ROOT / "docs").glob("*.md"))
+PAGES = [ROOT / "README.md"] + sorted((ROOT / "docs").rglob("*.md"))
 LANGUAGES = {"console", "sh", "bash", "python", "cpp", "cmake", "xml", "yaml", "json", "text", ""}
 PROGRAMS = {}
 
@@ -48,7 +48,7 @@ class Docs(unittest.TestCase):
 class Architecture(unittest.TestCase):
     """The page that says what is where."""
 
-    PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    PAGE = (ROOT / "docs" / "development" / "architecture.md").read_text(encoding="utf-8")
 
     def test_every_room_has_its_row(self):
         named, layer = [], ""

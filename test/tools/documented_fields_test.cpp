@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tables of docs/command.md are the lists of fields.
+// The tables of docs/reference/command.md are the lists of fields.
 #include "parallel_aspects/ask/check.h"
 #include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/ask/connect.h"
@@ -47,8 +47,8 @@ template <class Answer>
 void expect_documented(const Answer& answer) {
   TableOfFields table;
   describe(table, answer);
-  EXPECT_NE(text_of_docs("command.md").find(table.rows()), std::string::npos)
-      << "docs/command.md has not this table:\n"
+  EXPECT_NE(text_of_docs("reference/command.md").find(table.rows()), std::string::npos)
+      << "docs/reference/command.md has not this table:\n"
       << table.rows();
 }
 

@@ -145,8 +145,8 @@ void describe(Visit& visit, const CheckAnswer& answer) {
       answer.least_distance());
   visit({"least_index", "",
          "`parallel` and `serial`, each `value` and `time`, and the `leg`: the least of 200 samples or more "
-         "up to `free_until`, not proved ([margins](constraints.md#margins-from-singularities) says which "
-         "indices)"},
+         "up to `free_until`, not proved ([margins](../howto/constraints.md#margins-from-singularities) says "
+         "which indices)"},
         std::vector<std::pair<std::string, SampledLeast>>{{"parallel", check.parallel_index},
                                                           {"serial", check.serial_index}});
   visit({"speeds", "",

@@ -160,9 +160,10 @@ void describe(Visit& visit, const RobotDescription& answer) {
   visit({"joints", "", "every movable joint of the URDF"}, mechanism.joint_names());
   visit({"joint_limits", "rad or m", "`lower` and `upper` of each of them by name; `null` for none"}, limits);
   visit({"cones", "",
-         "those that the rods must stay in ([constraints.md](constraints.md)): `leg`, `end`, `fixed_in` "
-         "(`base`, `crank` or `platform`), unit vector `axis` there, `angle` [rad], and the `joint` of the "
-         "URDF whose limit it stands for, `null` where it is stated"},
+         "those that the rods must stay in ([constraints.md](../howto/constraints.md)): `leg`, `end`, "
+         "`fixed_in` (`base`, `crank` or `platform`), unit vector `axis` there, `angle` [rad], and the "
+         "`joint` of "
+         "the URDF whose limit it stands for, `null` where it is stated"},
         cones_of(robot));
   visit({"working_modes", "", "all that the kinds of the legs allow"}, working_modes(robot));
   visit({"parameters", "",

@@ -47,12 +47,12 @@ struct MapOptions {
 
   /// Whether a map of all poses with three degrees of freedom looks into every leaf in which an aspect could
   /// hide that is smaller than the resolution, so that `AspectMap::count_at_most` may be known. That takes
-  /// many times as long as the rest (docs/maps.md). With fewer degrees of freedom all maps do so, slices
-  /// never.
+  /// many times as long as the rest (docs/theory/maps.md). With fewer degrees of freedom all maps do so,
+  /// slices never.
   bool complete = false;
 
-  /// Whether what symmetries of the robot show to be the same is computed only once (docs/maps.md). Not in
-  /// slices.
+  /// Whether what symmetries of the robot show to be the same is computed only once (docs/theory/maps.md).
+  /// Not in slices.
   bool use_symmetry = true;
 };
 

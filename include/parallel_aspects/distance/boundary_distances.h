@@ -18,7 +18,8 @@ class SingularLeaves;
 
 /// A map, made ready for `BoundaryDistanceMeter::use`: the parts of it that may hold a parallel singularity,
 /// within limits or not, each with the plane that singularities in it lie near. Immutable; any number of
-/// meters, of any threads, may use one. docs/distance.md says how long it takes to make and how large it is.
+/// meters, of any threads, may use one. docs/theory/distance.md says how long it takes to make and how large
+/// it is.
 class DistanceMap {
  public:
   /// Looks into every leaf that is not inside an aspect, on all threads of the calling arena. Where `control`
@@ -132,7 +133,7 @@ struct DistanceOptions {
 ///  - the nearest limit: poses where every leg reaches on branch s and some actuated joint is at its limit.
 /// Each is the distance to a set of poses of the working mode, whether or not the path there leaves the mode;
 /// so the ball of poses with D < lower holds no such pose, and its part of the aspect none at all. Ranges of
-/// a full turn or more limit no pose. docs/distance.md says how, and what is proved.
+/// a full turn or more limit no pose. docs/theory/distance.md says how, and what is proved.
 ///
 /// One object for each thread: `measure` uses memory that is taken by the constructor. Its results depend on
 /// the arguments and the map alone, not on earlier calls.

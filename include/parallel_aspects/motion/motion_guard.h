@@ -36,7 +36,7 @@ std::optional<EscapeDirection> escape_direction(const Manipulator& manipulator, 
                                                 const JointVector& q,
                                                 const BoundaryDistance& distance) noexcept;
 
-/// What the guard takes the robot to do; see docs/guard.md.
+/// What the guard takes the robot to do; see docs/howto/guard.md.
 struct GuardOptions {
   /// The longest time from when a command is issued until the robot follows it; it may differ from one to
   /// the next [s].
@@ -103,9 +103,9 @@ struct GuardedMotion {
 
 /// Scales commanded velocities so that the robot, whatever comes next, can stop before a stop threshold.
 ///
-/// What is proved, under the model of motion of docs/guard.md: after each command the robot stays at least
-/// `stop` from each hazard, also when no further command comes, for as long as every command comes from this
-/// object. From a state that is below a threshold already, commands pass that provably lead away.
+/// What is proved, under the model of motion of docs/howto/guard.md: after each command the robot stays at
+/// least `stop` from each hazard, also when no further command comes, for as long as every command comes from
+/// this object. From a state that is below a threshold already, commands pass that provably lead away.
 ///
 /// One object for each robot and thread: it remembers the commands of the last moments. `guard` and `halt`
 /// neither allocate nor throw.

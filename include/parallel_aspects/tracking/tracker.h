@@ -176,8 +176,8 @@ class PossibleAssemblyModes {
 /// proved of, or that is a gap, ends in `ambiguous`. `find_candidates` then lists the assembly modes that
 /// remain possible; each is followed until what is known of the robot leaves one.
 ///
-/// `update` neither allocates nor locks, throws or logs. Not thread-safe; one owner. docs/tracking.md says
-/// what is certified.
+/// `update` neither allocates nor locks, throws or logs. Not thread-safe; one owner. docs/theory/tracking.md
+/// says what is certified.
 class Tracker {
  public:
   /// Allocates. The options have no `problems_of`.

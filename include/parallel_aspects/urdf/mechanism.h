@@ -190,7 +190,7 @@ class PassiveJoints {
 }  // namespace parallel_aspects
 
 /// The shipped robots, without a file: urdf/NAME.urdf and config/robots/NAME.yaml as they were when the
-/// library was built. docs/robots.md says where their dimensions come from.
+/// library was built. docs/reference/robots.md says where their dimensions come from.
 namespace parallel_aspects::models {
 
 SharedMechanism bipod();           ///< T2, two struts

@@ -22,9 +22,9 @@
 namespace parallel_aspects {
 
 /// Which proofs are tried on an undecided box, and how hard. None of this can make a proof wrong: what is not
-/// tried is not known. `benchmark/component_ablation` switches each off; see docs/benchmarks.md.
+/// tried is not known. `benchmark/component_ablation` switches each off; see docs/development/benchmarks.md.
 struct BoxPolicy {
-  // The proofs, each as docs/maps.md names it.
+  // The proofs, each as docs/theory/maps.md names it.
   bool wedges = true;
   bool shells = true;
   bool faces = true;  ///< a box is examined on the face that the set grows to

@@ -30,7 +30,8 @@ void require_positive(const Dual<N, Value>& function, Monotonicity& monotonicity
 }
 
 /// The last stage (see box_stage.h), of a box that may be reachable: partial derivatives, by affine forms.
-/// With them how S(s, sigma) grows in the box, and whether it is connected; docs/maps.md has the proofs.
+/// With them how S(s, sigma) grows in the box, and whether it is connected; docs/theory/maps.md has the
+/// proofs.
 template <class Chart>
 class BoxSlopes {
  public:

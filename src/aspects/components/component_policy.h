@@ -33,7 +33,8 @@ struct ClimbPolicy {
 /// What is done to join the components of a working mode or to prove them apart, how much of it, and in which
 /// order. None of this can make a proof wrong: less work leaves more unresolved. Numbers without a reason
 /// were found by trial. The switches are there to measure what each is good for:
-/// `benchmark/component_ablation` turns them off one by one, and docs/benchmarks.md has the table.
+/// `benchmark/component_ablation` turns them off one by one, and docs/development/benchmarks.md has the
+/// table.
 struct ComponentPolicy {
   BoxPolicy boxes;
   ClimbPolicy climb;

@@ -16,7 +16,7 @@
 #include <cstddef>
 #include <optional>
 
-// What the proof of docs/maps.md, "Folded legs", asks of the poses about a fold.
+// What the proof of docs/theory/maps.md, "Folded legs", asks of the poses about a fold.
 namespace parallel_aspects::about_fold {
 
 // Coordinates: the vector d from base point to anchor of the folded leg, the angle t of the platform [half
@@ -147,9 +147,9 @@ namespace parallel_aspects {
 
 /// Of a box near poses in which a leg with crank and rod of one length is folded, its anchor at its base
 /// point: proves that all that S(signs, sign) has there is connected, and gives a pose of it. B_jj^2 vanishes
-/// there as a sum of two squares, so that no other star does; docs/maps.md, "Folded legs", has the proof.
-/// Nothing is known where no leg folds near the box, or where the robot has limits or other constraints
-/// there.
+/// there as a sum of two squares, so that no other star does; docs/theory/maps.md, "Folded legs", has the
+/// proof. Nothing is known where no leg folds near the box, or where the robot has limits or other
+/// constraints there.
 Stars find_stars_about_fold(const ChartBox<SE2Chart>& at, const Box& region, const std::array<int, 3>& signs,
                             int sign) noexcept;
 

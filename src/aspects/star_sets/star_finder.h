@@ -45,7 +45,7 @@ struct Stars {
 };
 
 /// Proves that what S(mode, sign) has in a box is star-shaped about a pose, in coordinates in which its
-/// boundary is smooth; docs/maps.md has the proof. Immutable; may be used from any number of threads.
+/// boundary is smooth; docs/theory/maps.md has the proof. Immutable; may be used from any number of threads.
 class StarFinder {
  public:
   virtual ~StarFinder() = default;

@@ -151,7 +151,7 @@ struct EntrySigns {
 EntrySigns only(int sign) { return {sign > 0, sign < 0}; }
 
 /// Compares legs with images of legs. Numbers have to be equal to the last digit: what follows is a theorem
-/// about these numbers (docs/maps.md, Symmetries), and none about robots that are nearly symmetric.
+/// about these numbers (docs/theory/maps.md, Symmetries), and none about robots that are nearly symmetric.
 class LegImages {
  public:
   LegImages(const RigidSymmetry& symmetry, bool shows_cranks)

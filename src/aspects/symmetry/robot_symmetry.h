@@ -39,8 +39,8 @@ bool takes_constraints(const RigidSymmetry& symmetry, const std::vector<std::siz
 /// A reflection or rotation g that takes a manipulator onto itself, as far as aspects are concerned: where
 /// leg j can be at a pose with a sign s of B_jj, leg `leg_image[j]` can be at the image of the pose with the
 /// sign `entry_sign[j]` s, and det A there is that at the pose times a number of the sign `determinant_sign`.
-/// So g takes S(s, sigma) onto S(g s, determinant_sign sigma), aspects onto aspects (docs/maps.md has the
-/// proof). This is exact: a theorem about the numbers of the manipulator.
+/// So g takes S(s, sigma) onto S(g s, determinant_sign sigma), aspects onto aspects (docs/theory/maps.md has
+/// the proof). This is exact: a theorem about the numbers of the manipulator.
 struct RobotSymmetry {
   RigidSymmetry motion;
   std::vector<std::size_t> leg_image;

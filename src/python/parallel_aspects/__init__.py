@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where a parallel robot can move without meeting a singularity, with proofs: docs/python.md.
+"""Where a parallel robot can move without meeting a singularity, with proofs: docs/reference/python.md.
 
 The messages of the package, parallel_aspects.msg, share this name; who imports those alone does not load the library. So
 this file is there without the library, too, and says what to build.

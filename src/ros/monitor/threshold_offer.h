@@ -11,8 +11,8 @@
 namespace parallel_aspects {
 
 /// Thresholds to begin with where none is set: a share of the robot's size that the campaigns of
-/// docs/benchmarks.md were run with, and before parallel singularities no less than the stand-off. An
-/// example, for what is too near depends on how fast the robot is and how soon it stops.
+/// docs/development/benchmarks.md were run with, and before parallel singularities no less than the
+/// stand-off. An example, for what is too near depends on how fast the robot is and how soon it stops.
 ThresholdParameters offered_thresholds(const Manipulator& robot, const StandOffEstimate& stand_off);
 
 /// The same in a sentence, as parameters to paste, with a speed that they suit and the one that the velocity

@@ -14,7 +14,8 @@
 #include <string>
 #include <vector>
 
-/// What each subcommand says about a result. Pure functions; the fields are documented in docs/command.md.
+/// What each subcommand says about a result. Pure functions; the fields are documented in
+/// docs/reference/command.md.
 namespace parallel_aspects::tools {
 
 /// How much the text says.

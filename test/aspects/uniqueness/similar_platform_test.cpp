@@ -19,7 +19,7 @@
 
 // P. R. McAree and R. W. Daniel, An explanation of never-special assembly changing motions for 3-3 parallel
 // manipulators (1999): with similar triangles of platform and base a 3-RPR has no such motions. The formulas
-// here are those of docs/uniqueness.md, "Against a theorem".
+// here are those of docs/theory/uniqueness.md, "Against a theorem".
 
 namespace parallel_aspects {
 namespace {

@@ -70,8 +70,9 @@ Robot with_longer_rod(const Robot& robot, std::size_t leg, double more) {
   return std::make_shared<const Manipulator>(description);
 }
 
-// What docs/maps.md says of the Delta: where the rods of legs 1 and 2 are parallel, poses of one sign of det
-// A touch along a curve, and a rod that is longer or shorter by next to nothing joins them or parts them.
+// What docs/theory/maps.md says of the Delta: where the rods of legs 1 and 2 are parallel, poses of one sign
+// of det A touch along a curve, and a rod that is longer or shorter by next to nothing joins them or parts
+// them.
 TEST(UnresolvedText, TheSmallestChangeJoinsOrPartsWhatTouchesInTheDelta) {
   const Robot delta = test::shipped("delta")->mapped_manipulator();
   const Saddle saddle = saddle_near(*delta, {0.218, -0.752, 0.341});

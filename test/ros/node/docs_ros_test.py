@@ -19,7 +19,7 @@ class DocsWithRos(unittest.TestCase):
     def test_pages(self):
         aspects = pathlib.Path(roslib.packages.find_node("parallel_aspects", "aspects")[0])
         problems = []
-        for name in ("tutorial.md", "stack.md"):
+        for name in ("start/tutorial.md", "howto/stack.md"):
             problems += console.Page(ROOT / "docs" / name, aspects.parent, ros=True).problems()
         self.assertTrue(problems == [], "\n\n".join(problems))
 

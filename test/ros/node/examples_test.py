@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs every example of docs/examples.md against a node of the five-bar, and compares what it prints.
+"""Runs every example of docs/reference/examples.md against a node of the five-bar, and compares what it prints.
 
 Commands run in this process, as `rosservice` and `rostopic` do in theirs, so that no time goes into starting them.
 """
@@ -28,7 +28,7 @@ TOOLS = {"rosservice": rosservice.rosservicemain, "rostopic": rostopic.rostopicm
 def examples():
     """Blocks of code by heading: {heading: [(language, text)]}."""
     found = {}
-    text = (ROOT / "docs" / "examples.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "reference" / "examples.md").read_text(encoding="utf-8")
     for section in re.split(r"^## ", text, flags=re.MULTILINE)[1:]:
         heading, body = section.split("\n", 1)
         found[heading] = re.findall(r"```(bash|python)\n(.*?)```", body, re.DOTALL)
@@ -109,7 +109,7 @@ class Examples(unittest.TestCase):
         """It prints what its comments say, and a program of ten lines is not much longer."""
         self.assertLessEqual(len(text.splitlines()), 13)
         expected = [part for line in re.findall(r"print\(.*?\)  # (.*)", text) for part in line.split("  # ")]
-        printed = self.output_of(exec, compile(text, "docs/examples.md", "exec"), {"__name__": "__main__"})
+        printed = self.output_of(exec, compile(text, "docs/reference/examples.md", "exec"), {"__name__": "__main__"})
         self.assertEqual(printed.splitlines(), expected, text)
 
     def test_all(self):
