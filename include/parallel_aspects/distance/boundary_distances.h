@@ -18,8 +18,7 @@ class SingularLeaves;
 
 /// A map, made ready for `BoundaryDistanceMeter::use`: the parts of it that may hold a parallel singularity,
 /// within limits or not, each with the plane that singularities in it lie near. Immutable; any number of
-/// meters, of any threads, may use one. docs/theory/distance.md says how long it takes to make and how large
-/// it is.
+/// meters, of any threads, may use one. docs/development/benchmarks.md says how long it takes to make.
 class DistanceMap {
  public:
   /// Looks into every leaf that is not inside an aspect, on all threads of the calling arena. Where `control`

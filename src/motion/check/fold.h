@@ -65,7 +65,7 @@ class JointPath {
 /// starts towards rising s, and is where the platform goes, up to the first zero of det A on it; there is
 /// one, since the sign differs at its end. QED
 ///
-/// docs/howto/checking.md has the bounds. All of them are rounded outward.
+/// docs/theory/checking.md has the bounds. All of them are rounded outward.
 class FoldProof {
  public:
   /// The path and the certifier must outlive it. Needs a live `RoundingUpward`, as all of it does.

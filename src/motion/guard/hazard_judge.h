@@ -20,7 +20,7 @@ struct HazardVerdict {
   bool nearer = false;  ///< the command goes towards a half space that the robot is too near to
 };
 
-/// How far commands may go before the robot comes too near to hazards; docs/howto/guard.md has the proof.
+/// How far commands may go before the robot comes too near to hazards; docs/theory/guard.md has the proof.
 /// Neither allocates nor throws once it is made.
 class HazardJudge {
  public:

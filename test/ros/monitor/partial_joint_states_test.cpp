@@ -130,7 +130,7 @@ TEST_P(PartialJointStatesTest, AreNotFollowedThroughAJump) {
     EXPECT_FALSE(PartialJointStates(GetParam(), Motion::jumping, 100.0, share).followed()) << share;
 }
 
-// For the rates that docs/theory/tracking.md tells: --gtest_also_run_disabled_tests.
+// Prints at which rates they are followed: --gtest_also_run_disabled_tests.
 TEST_P(PartialJointStatesTest, DISABLED_PrintRates) {
   for (const Motion motion : {Motion::still, Motion::moving}) {
     std::cout << GetParam() << (motion == Motion::still ? ", still:" : ", moving:");

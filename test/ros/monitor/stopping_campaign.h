@@ -84,7 +84,7 @@ class StoppingCampaign {
   double size() const { return robot_->size(); }
   double travel(double speed) const { return speed * size() / plan_.rate; }
 
-  // What docs/theory/tracking.md says: braking, what is travelled before it begins, and noise.
+  // What docs/howto/tracking.md says: braking, what is travelled before it begins, and noise.
   double threshold_for(double speed, double noise) const {
     return speed * speed * size() / (2.0 * plan_.deceleration) + 3.0 * travel(speed) + 4.0 * noise * size();
   }
