@@ -3,7 +3,8 @@
 
 - A block of ```console holds commands behind "$ ", each followed by what it prints. A line "..." stands for any lines,
   "..." in a line for any text, and a time such as "0.05 s" for any time. A command that ends with " &" goes on.
-- A block after a line that ends with the name of a file and a colon, as in "Write `my.urdf`:", is that file.
+- A block after a line that ends with the name of a file and a colon, as in "Write `my.urdf`:", is that file. A page that
+  says "The files are those of [another.md](another.md)" begins with the files of that page.
 """
 import os
 import pathlib
@@ -14,6 +15,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+FILES_OF = re.compile(r"files are those of\s\[[^\]]*\]\(([^)]+)\)")
 FILE_NAME = re.compile(r"`([\w.]+)`:\s*\Z")
 COMMAND = re.compile(r"^\$ ((?:.*\\\n)*.*)\n((?:(?!\$ ).*\n)*)", re.MULTILINE)
 NEEDS_ROS = re.compile(r"^(ros\w+|python3)\b")
@@ -59,15 +61,24 @@ class Page:
     def problems(self):
         """What does not hold, a text each."""
         found = []
+        page = self.file.read_text(encoding="utf-8")
         try:
-            for language, text, name in fenced_blocks(self.file.read_text(encoding="utf-8")):
+            for other in FILES_OF.findall(page):
+                for _, text, name in fenced_blocks((self.file.parent / other).read_text(encoding="utf-8")):
+                    self.write(name, text)
+            for language, text, name in fenced_blocks(page):
                 if name:
-                    (pathlib.Path(self.folder.name) / name).write_text(text, encoding="utf-8")
+                    self.write(name, text)
                 elif language == "console":
                     found += filter(None, [self.run(*each) for each in commands(text)])
         finally:
             self.close()
         return found
+
+    def write(self, name, text):
+        """A file of the reader, if the block has a name."""
+        if name:
+            (pathlib.Path(self.folder.name) / name).write_text(text, encoding="utf-8")
 
     def run(self, command, expected):
         """None, or what is wrong."""
