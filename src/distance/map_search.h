@@ -66,8 +66,8 @@ class MapSearch {
 
   bool is_exhausted() const noexcept { return looks_ >= max_looks; }
 
-  /// Looks into what is nearest. Nothing, or a cell that may hold a singularity; where that cannot be told as
-  /// a cell, `all`.
+  /// Examines the nearest item. Nothing, or a cell that may hold a singularity; where no cell encloses that,
+  /// `all`.
   std::optional<Cell<size>> next(double target, const Cell<size>& all) noexcept {
     const Item item = queue_.front();
     std::pop_heap(queue_.begin(), queue_.end(), later);

@@ -81,7 +81,7 @@ class LengthLimits {
     return result;
   }
 
-  /// For a length of at least zero, told by its square: no root is needed. Only for limits of a strut.
+  /// For a length of at least zero, given by its square: no root is needed. Only for limits of a strut.
   template <class Scalar>
   LimitFunctions<Scalar> functions_of_square(const Scalar& squared_length) const {
     LimitFunctions<Scalar> result;

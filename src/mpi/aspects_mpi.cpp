@@ -22,7 +22,7 @@ void ask_at_first_interrupt() {
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
 }
 
-// What is the same in all processes is said by the first.
+// What is the same in all processes is printed by the first.
 int run(int argc, char** argv) {
   parallel_aspects::mpi::MpiCrew crew;
   std::ostringstream nowhere;

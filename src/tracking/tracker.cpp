@@ -236,16 +236,16 @@ double StandOff::along_path(const Pose& pose, const Pose& singular, const Workin
   const auto distinguished_at = [&](double share) {
     return can_distinguish(pose_between(singular, pose, share), mode, bend);
   };
-  double told = std::ldexp(1.0, -halvings), lost = 0.0;  // shares of the path
-  while (told < 1.0 && !distinguished_at(told)) {
-    lost = told;
-    told *= 2.0;
+  double clear = std::ldexp(1.0, -halvings), hidden = 0.0;  // shares of the path
+  while (clear < 1.0 && !distinguished_at(clear)) {
+    hidden = clear;
+    clear *= 2.0;
   }
-  for (int i = 0; i < digits && told < 1.0; ++i) {
-    const double between = 0.5 * (told + lost);
-    (distinguished_at(between) ? told : lost) = between;
+  for (int i = 0; i < digits && clear < 1.0; ++i) {
+    const double between = 0.5 * (clear + hidden);
+    (distinguished_at(between) ? clear : hidden) = between;
   }
-  return anchor_distance(*manipulator_, pose_between(singular, pose, told), singular);
+  return anchor_distance(*manipulator_, pose_between(singular, pose, clear), singular);
 }
 
 StandOffEstimate estimate_stand_off(const std::shared_ptr<const Manipulator>& manipulator,

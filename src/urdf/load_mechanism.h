@@ -15,7 +15,7 @@
 namespace parallel_aspects {
 
 /// Thrown where it is known why a description makes no robot: its problems name edits of it that were tried
-/// and make one, or what keeps it from being one whatever is edited.
+/// and make one, or why no edit can make it one.
 class ExplainedDescription : public InvalidDescription {
  public:
   using InvalidDescription::InvalidDescription;
@@ -27,7 +27,7 @@ struct LoadSearch {
   std::function<void()> checkpoint = [] {};
   /// Whether a refusal names what would correct the description, which takes most of its time.
   bool looks_for_remedies = true;
-  /// Whether messages speak of the YAML as of options of a command; see `SourceNames`.
+  /// Whether messages name options of a command in place of keys of the YAML; see `SourceNames`.
   bool as_options = false;
 };
 

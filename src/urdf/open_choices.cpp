@@ -197,7 +197,7 @@ class OpenChoices {
   }
 
   // As they are written; where that holds too much, as joints that turn (for a universal one a weld has no
-  // axes), in the place that is said or at the one of two that makes a manipulator.
+  // axes), at the stated place or at the one of two that makes a manipulator.
   Contents find_welds(Problems& problems) const {
     const std::vector<Closure>& welds = resolved_.closures;
     const double size = ClosureSystem(tree_, resolved_.base, with_type(welds, ClosureType::fixed)).size();

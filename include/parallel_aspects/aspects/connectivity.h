@@ -57,7 +57,7 @@ struct Neighbours {
   int second = 0;                          ///< id, the higher one
   Crossing crossing = Crossing::parallel;  ///< what is between them
   std::size_t leg = 0;                     ///< whose B_jj is zero, where serial
-  bool proved = false;                     ///< whether it is, as said above
+  bool proved = false;                     ///< whether the contact is, as above
   Pose pose;  ///< in the leaf where they touch; where proved, that of the first crossing
 
   /// Where proved, the best crossings of those that were tried, spread over where the aspects touch: the one

@@ -21,7 +21,7 @@ enum class LegType {
   elbow,      ///< `ElbowActuation`
 };
 
-/// What the kind of a leg tells, whatever its dimensions.
+/// What follows from the kind of a leg, for all dimensions.
 struct LegKind {
   LegType type;               ///< for switches
   std::string_view name;      ///< for people

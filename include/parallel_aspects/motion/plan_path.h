@@ -61,7 +61,7 @@ struct PathEnd {
 
 /// A point of a path. From one to the next the pose runs as `pose_between` says, or, in a slice that holds an
 /// actuated joint, straight in direction and phi; in the working mode of both, and by no more than a quarter
-/// turn, so that nobody takes it for a turn the other way round. At a serial crossing the two
+/// turn, so that it cannot be taken for a turn the other way round. At a serial crossing the two
 /// points have one pose, and one leg changes its posture. Through a parallel one the pose runs straight in
 /// the coordinates of the map: in SE2 in x, y and phi.
 struct PathPoint {

@@ -159,7 +159,7 @@ class HazardMemory {
   /// Nothing is known of the robot.
   void lose() noexcept;
 
-  /// As if nothing had been seen: what was said so far is of another time.
+  /// As if nothing had been seen: what was reported so far belongs to another time.
   void forget() noexcept { last_ = reported_ = std::nullopt; }
 
   /// Nothing where all is known, or nothing ever was.

@@ -43,7 +43,7 @@ enum class Ambiguity {
   several_assembly_modes,     ///< the actuated joints can be assembled in several ways
   serial_singularity,         ///< a leg is stretched or folded where tracking would start
   no_direct_solution,         ///< the actuated joints cannot be assembled
-  no_candidate_fits,          ///< what was said of the pose contradicts every candidate
+  no_candidate_fits,          ///< what is measured or was stated contradicts every candidate
 };
 
 /// A clause for people, such as "the step came too near to det A = 0"; empty for none.
@@ -239,7 +239,7 @@ class Tracker {
   /// `candidates().complete()`.
   PossibleAssemblyModes candidates() const noexcept;
 
-  /// Drops every candidate of which `keep(pose, q)` is false: by passive joints, their limits, or whatever
+  /// Drops every candidate of which `keep(pose, q)` is false: by passive joints, their limits, or what
   /// else is known of the robot. Tracking starts in the only one left of a complete list. True where it has.
   template <class Keep>
   bool keep_candidates(const Keep& keep) {
@@ -283,8 +283,8 @@ class StandOff {
                        const JointVector& bend = {}) const noexcept;
 
   /// An estimate of how far from `singular`, a pose with det A = 0, the robot must stay for that, on the
-  /// straight path from `pose` [m, root mean square over the anchors]. The whole way where the mode cannot be
-  /// told at `pose`.
+  /// straight path from `pose` [m, root mean square over the anchors]. The whole way where noise hides
+  /// the mode at `pose` itself.
   double along_path(const Pose& pose, const Pose& singular, const WorkingMode& mode,
                     const JointVector& bend = {}) const noexcept;
 

@@ -35,7 +35,7 @@ class SignGraph {
 
   int sign() const noexcept { return sign_; }
 
-  /// How many leaves of a tree are to be taken in.
+  /// How many leaves of a tree are to be added.
   struct LeafCounts {
     std::size_t indeterminate = 0, in_components = 0, blocks = 0;
     NodeIndex last_block = no_node;

@@ -72,10 +72,10 @@ class SolutionLift {
   bool consistent_ = true;
 };
 
-/// The aspect of the solution in a box, for these values; 0 where nobody can tell.
+/// The aspect of the solution in a box, for these values; 0 where it is not known.
 using AspectOfSolution = std::function<int(const Box&, const ActuatedValues&)>;
 
-/// Lifts sets of actuated values into the poses, and tells which region holds one.
+/// Lifts sets of actuated values into the poses, and finds which region holds one.
 class RegionAtlas {
  public:
   /// What it is given must outlive it. Needs a live `RoundingUpward`.
@@ -84,8 +84,8 @@ class RegionAtlas {
 
   const FoundRegions& found() const noexcept { return result_; }
 
-  /// The region of the solution in `box`, the only one in it for these values; nothing where nobody can
-  /// tell. Needs a live `RoundingUpward`.
+  /// The region of the solution in `box`, the only one in it for these values; nothing where it is
+  /// not known. Needs a live `RoundingUpward`.
   std::optional<std::size_t> locate(const Box& box, const ActuatedValues& values) const;
 
  private:

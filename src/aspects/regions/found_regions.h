@@ -44,7 +44,7 @@ bool have_own_aspects(const std::vector<int>& aspects);
 /// What is known of the solutions of a set.
 struct RegionsOfSet {
   std::size_t set = 0;                ///< index of the set
-  std::vector<int> aspects;           ///< by solution; 0 where nobody can tell
+  std::vector<int> aspects;           ///< by solution; 0 where it is not known
   std::vector<std::size_t> labels{};  ///< the least solution that closed paths lead each to; empty: itself
   bool is_consistent = true;          ///< whether it is known of all closed paths where they lead
   double measure = 0.0;               ///< of the actuated values that this is known of, a lower bound

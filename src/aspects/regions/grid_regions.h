@@ -24,7 +24,7 @@ namespace parallel_aspects {
 /// All solutions that a working mode has for some joint values.
 struct ModeSolutions {
   std::vector<Box> boxes;    ///< each with one, no two the same
-  std::vector<int> aspects;  ///< of each; 0 where nobody can tell
+  std::vector<int> aspects;  ///< of each; 0 where it is not known
 };
 
 /// Those of joint values; nothing where it is not proved that these are all.
@@ -46,7 +46,7 @@ class GridRegions {
     return solved_[region.set]->boxes[region.solution];
   }
 
-  /// The region of a solution in a box, the only one in it for these values; nothing where nobody can tell.
+  /// The region of a solution in a box, the only one in it for these values; nothing where it is not known.
   /// Needs a live `RoundingUpward`.
   std::optional<std::size_t> locate(const Box& box, const std::array<double, 2>& values) const;
 

@@ -306,7 +306,7 @@ class SegmentCertifier::Evaluation {
   std::array<Spatial<PathForm>, max_legs> rods_;           // u, up to a positive factor
   std::array<PathForm, max_legs> squared_entries_;         // B_jj^2
   std::array<PathForm, max_legs> entries_;                 // |B_jj|
-  ConfigurationProof found_;                               // of the middle of the part; its sign is not told
+  ConfigurationProof found_;  // of the middle of the part; its sign is not filled in
   double ratio_ = 0.0;  // upper bound of the spectral radius that must be below 1; infinite where unknown
 };
 

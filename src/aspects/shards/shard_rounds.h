@@ -92,7 +92,7 @@ class KeptParts {
 
   std::size_t count() const noexcept { return records_.size(); }
 
-  /// Keeps what the shards of these tasks tell in place of what they told before.
+  /// Replaces the records of the shards of these tasks by the new ones.
   void take(const std::vector<ShardTask>& tasks, PartResults&& results);
 
   /// The `MergedSign` of a part as bytes; empty where nothing is new since the last call.

@@ -34,7 +34,8 @@ Interval measure_beside(const Box& cell, const std::array<double, 3>& slope, con
 /// Of what is in the slab, an upper bound [m^2 or m^3].
 double unknown_measure(const Box& cell, const std::array<double, 3>& slope, const Interval& slab) noexcept;
 
-/// A point of the cell on that side, which is not empty, as far from the slab as can be told at once [m].
+/// A point of the cell on that side, which is not empty, as far from the slab as is found without a search
+/// [m].
 std::array<double, 3> point_beside(const Box& cell, const std::array<double, 3>& slope, const Interval& slab,
                                    int side) noexcept;
 

@@ -21,7 +21,7 @@ struct SolutionSet {
   double estimate = 0.0;                      ///< the same with its share of what is unknown [m^2 or m^3]
 };
 
-/// The largest first. In sets that are a smaller share of all values than that nobody looks for solutions.
+/// The largest first. Solutions are not searched in sets below a least share of all values.
 /// Needs a live `RoundingUpward`.
 std::vector<SolutionSet> find_solution_sets(const SolveAt& solve, ActuatedSpace& space,
                                             const MapControl& control, double least_share = 0.0);

@@ -27,7 +27,7 @@ bool are_small(const Values& values, double half_width) {
 /// What to do with a box.
 enum class Next { divide, leave, stop };
 
-/// Covers a slice with boxes that are divided as they ask for it. False where one said stop.
+/// Covers a slice with boxes, each divided if `settle` asks for it. False where one asked to stop.
 template <class Settle>
 bool cover_slice(const MapControl& control, const Settle& settle) {
   std::vector<Box> boxes{whole_slice()};

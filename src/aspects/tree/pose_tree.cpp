@@ -58,7 +58,7 @@ std::optional<NodeIndex> PoseTree::leaf_at(const MapPosition& position, std::siz
   if (!region_.contains(position.point)) return std::nullopt;
   NodeIndex node = position.root;
   MapPoint lower = region_.lower;
-  // Corners are exact, by whatever sums.
+  // Corners are exact, in whatever order they are added up.
   for (std::size_t level = 1; state(node, mode).is_divided(); ++level) {
     NodeIndex rank = 0;
     for (std::size_t i = 0; i < dimension(); ++i) {

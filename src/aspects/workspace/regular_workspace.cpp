@@ -124,7 +124,7 @@ Box centers_of(Box positions, const WorkspaceQuestion& question) {
   return positions;
 }
 
-/// Shapes below this share of the largest are not told apart.
+/// Shapes below this share of the largest are not distinguished.
 constexpr double share_of_interest = 0.01;
 
 /// Aspects of one working mode and one sign of det A, which share their leaves.

@@ -16,7 +16,7 @@ namespace {
 // Open leaves are divided down to this share of the gap, and of the extent of the centers that are looked at.
 constexpr double share_of_gap = 0.25, share_of_extent = 0.5;
 
-// Centers closer to each other than this share of the gap are not told apart.
+// Centers closer to each other than this share of the gap are not distinguished.
 constexpr double least_extent = 0.02;
 
 // Centers closer to each other than this share of what is unknown of the room about them are not, either.

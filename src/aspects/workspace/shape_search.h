@@ -18,7 +18,7 @@ namespace parallel_aspects {
 class ShapeSearch {
  public:
   /// `like`: ids of the aspects that may be the same one as `aspect`, itself among them. Shapes of
-  /// `of_interest` or less are not told apart.
+  /// `of_interest` or less are not distinguished.
   ShapeSearch(UsableLeaves& leaves, const ShapeGauge& gauge, int aspect, std::vector<int> like,
               double of_interest, const WorkspaceOptions& options);
 

@@ -22,7 +22,7 @@ class PostureChangeSearch {
   bool is_possible() const noexcept { return classifier_ != nullptr; }
 
   /// The shortest that is found at a pose from a working mode (by its index among `working_modes`) by this
-  /// leg; det A must have the sign in both modes. Of the change `time` is not told.
+  /// leg; det A must have the sign in both modes. `time` of the change is not filled in.
   std::optional<PostureChange> find(const Pose& pose, std::size_t mode, std::size_t leg, int sign);
 
  private:

@@ -16,7 +16,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr int max_rounds = 12;
-constexpr std::size_t most_reasons = 4, most_modes = 4;  // that are said
+constexpr std::size_t most_reasons = 4, most_modes = 4;  // that are listed
 
 class IndexClimb {
  public:

@@ -65,7 +65,7 @@ struct LeafChoice {
   /// them along a segment that `is_free` proves: in narrow corridors leaves touch at corners alone.
   const LeafPassages* passages = nullptr;
   std::function<bool(const Pose&, const Pose&)> is_free{};
-  PassageProofs* proofs = nullptr;  ///< with `passages`: what `is_free` said, for other searches as well
+  PassageProofs* proofs = nullptr;  ///< with `passages`: what `is_free` answered, for other searches as well
 
   MapControl control{};  ///< where it is cancelled, no path is found
 

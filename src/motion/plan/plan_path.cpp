@@ -47,7 +47,7 @@ struct PathPlanner::Parts {
   std::shared_ptr<const AspectMap> map;
   AspectPaths paths;
   std::shared_ptr<const AspectGraph> graph;
-  std::map<std::pair<int, int>, std::string> unresolved;  // what is said of two aspects that may be one
+  std::map<std::pair<int, int>, std::string> unresolved;  // the message about two aspects that may be one
 };
 
 /// The answer to one question.

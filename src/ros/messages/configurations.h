@@ -23,7 +23,7 @@ std::optional<WorkingMode> stated_mode(const std::vector<std::int8_t>& signs);
 /// Whether they are those of a working mode of the robot, or mean any.
 bool is_mode_of(const Manipulator& manipulator, const std::vector<std::int8_t>& signs);
 
-/// What is said of a configuration besides its pose or joint values.
+/// What is stated of a configuration besides its pose or joint values.
 struct StatedSigns {
   std::optional<WorkingMode> mode{};  ///< none for any
   int determinant_sign = 0;           ///< of det A; 0 for any

@@ -43,7 +43,7 @@ struct SolvedPose {
   JointVector q;  ///< [rad or m]
 };
 
-/// What a node with ~read_only answers to whatever would change it.
+/// What a node with ~read_only answers to all that would change it.
 Status refused_as_read_only();
 
 Status make_status(std::uint8_t code, std::string message = {});
@@ -100,7 +100,7 @@ AspectState state_message(const Manipulator& manipulator, const TrackedState& st
 /// State that says only why nothing is known.
 AspectState unknown_state(const Manipulator& manipulator, const Status& status, const ros::Time& stamp);
 
-/// `stated_anew`: whether somebody has stated the assembly mode since the transition before.
+/// `stated_anew`: whether the assembly mode was stated since the transition before.
 AspectTransition transition_message(const Manipulator& manipulator, const Transition& transition,
                                     const ros::Time& stamp, bool stated_anew = false);
 

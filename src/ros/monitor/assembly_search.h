@@ -25,7 +25,8 @@ struct TrackedSample {
 /// so that the copy is what the tracker would be.
 class AssemblySearch {
  public:
-  /// Copies the tracker, whose transitions must be told. `readings` of all joints are of its last sample.
+  /// Copies the tracker, whose transitions must have been reported. `readings` of all joints are of its last
+  /// sample.
   AssemblySearch(const Tracker& tracker, Eigen::VectorXd readings)
       : tracker_(tracker), readings_(std::move(readings)) {}
 

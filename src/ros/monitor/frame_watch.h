@@ -31,8 +31,8 @@ class FrameWatch {
   /// number of such frames is known by now. Each two once.
   std::vector<std::string> news(const ros::WallTime& now);
 
-  /// A message for each two nodes while they contradict each other; otherwise empty. Of tf_static nobody
-  /// hears that a node has stopped.
+  /// A message for each two nodes while they contradict each other; otherwise empty. On tf_static it
+  /// cannot be seen that a node has stopped.
   std::string message(const ros::WallTime& now) const;
 
  private:
@@ -43,7 +43,7 @@ class FrameWatch {
   struct Dispute {
     std::set<std::string> frames;
     ros::WallTime first, last;
-    bool for_good = false;  // static transforms are said once
+    bool for_good = false;  // static transforms are sent once
     bool said = false;
   };
   using Nodes = std::pair<std::string, std::string>;  // in the order of their names

@@ -17,7 +17,7 @@
 
 namespace parallel_aspects {
 
-/// What the last state said of distances and passive joints.
+/// What the last state reported of distances and passive joints.
 struct MonitorFindings {
   ThresholdState threshold;
   std::array<DistanceBounds, hazard_count> distances;  ///< by `Hazard`; not a number where unknown

@@ -50,7 +50,7 @@ void say(const KnownDomains& known) { ROS_INFO_STREAM("Uniqueness domains: " << 
 
 }  // namespace
 
-// Of what nobody asked for, and cannot be had, the log says nothing.
+// The log is silent about domains that were not asked for and cannot be computed.
 DomainFinder::DomainFinder(const Manipulator& manipulator, const UniquenessParameters& parameters)
     : parameters_(parameters),
       known_(before_the_map(manipulator, parameters.enabled)),

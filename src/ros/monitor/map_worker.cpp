@@ -201,7 +201,7 @@ void MapWorker::run() {
       if (stopping_) return;
       request = *std::exchange(next_, std::nullopt);
       running_job_ = newest_job_;
-      progress_ = dated(empty_report());  // COMPUTING; what was said of the job before is over
+      progress_ = dated(empty_report());  // COMPUTING; the report of the job before is over
       cancelled_ = false;
     }
     try {

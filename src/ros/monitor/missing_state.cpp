@@ -15,7 +15,7 @@
 namespace parallel_aspects {
 namespace {
 
-// What is to be said where the last sample was merged of several messages; else nothing.
+// The text where the last sample was merged of several messages; else empty.
 std::string merged_joints(const JointVector& uncertainty) {
   if (uncertainty.size() == 0 || !(uncertainty.maxCoeff() > 0.0)) return {};
   return " The actuated joints come in several messages, which leaves their values uncertain; publish all of "

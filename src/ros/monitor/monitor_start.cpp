@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How the monitor comes to know the assembly mode, as configured or as somebody states it, and forgets it.
+// How the monitor learns the assembly mode, by its configuration or a statement, and forgets it.
 // How the monitor follows in which uniqueness domains the robot is, from where tracking began.
 #include "ask/question_parts.h"
 #include "ros/joint_states/joint_merger.h"
@@ -43,7 +43,7 @@ Status RobotMonitor::start_as_configured(double time, const JointVector& q) {
   return not_started_status(why, read_only_);
 }
 
-// Whether it was said where the robot is at first, did not fit, and nothing was known since.
+// Whether the stated start did not fit, and nothing was known since.
 bool RobotMonitor::failed_start() const {
   return (start_.pose || start_.determinant_sign) && not_started_.code != Status::OK;
 }

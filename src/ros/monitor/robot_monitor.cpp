@@ -278,7 +278,7 @@ Status RobotMonitor::status_of_tracker() const {
   return not_started_.code != Status::OK ? not_started_ : not_started_status("", read_only_);
 }
 
-// While messages are refused, that is what is said, not how long ago the last usable one came.
+// While messages are refused, the status says so, and not how long ago the last usable one came.
 Status RobotMonitor::status_at(const ros::Time& now) const {
   const bool refused =
       status_.code == Status::INVALID_JOINT_STATES || status_.code == Status::SEVERAL_PUBLISHERS;

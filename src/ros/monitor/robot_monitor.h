@@ -81,8 +81,8 @@ class RobotMonitor {
   std::optional<sensor_msgs::JointState> complete(const TrackedState& tracked, const ros::Time& stamp) const;
 
   /// The state to publish when the last usable sample has become stale; nothing while it has not, or that was
-  /// said. To be called again and again: a simulated clock may stand still, so that `wall` tells how long no
-  /// sample came.
+  /// published. To be called again and again: a simulated clock may stand still, so `wall` measures how long
+  /// no sample came.
   std::optional<AspectState> expire(const ros::Time& now, const ros::SteadyTime& wall);
 
   /// Measures distances at the last sample, or looks for the assembly mode; to be called again and again from
@@ -101,8 +101,8 @@ class RobotMonitor {
   GuardedCommand guard(const geometry_msgs::TwistStamped& command, const TurnedTwist& turned,
                        const ros::Time& now, const ros::SteadyTime& wall);
 
-  /// Zero, when the last command has become old; nothing while it has not, or that was said. Where the guard
-  /// is on. To be called again and again.
+  /// Zero, when the last command has become old; nothing while it has not, or that was published. Where
+  /// the guard is on. To be called again and again.
   std::optional<GuardedCommand> expire_command(const ros::Time& now, const ros::SteadyTime& wall);
 
   CurrentConfiguration current(const ros::Time& now) const;
@@ -126,10 +126,10 @@ class RobotMonitor {
   Status start_with_sign(const StatedSigns& stated, const ros::Time& now);
 
  private:
-  /// How it comes that the robot is followed.
+  /// Why the robot is followed.
   enum class Beginning {
     followed,  ///< by samples alone
-    stated,    ///< somebody said where it is
+    stated,    ///< where it is was stated
     found      ///< in the assembly mode of before
   };
 

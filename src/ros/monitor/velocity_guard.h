@@ -80,7 +80,7 @@ class VelocityGuard {
   const Eigen::Vector3d reference_point_;  // in the platform frame [m]
   MotionGuard guard_;
   GuardState state_;
-  ros::SteadyTime came_;  // when the last command did; zero for never, or when it was said to be old
+  ros::SteadyTime came_;  // when the last command did; zero for never, or when it was reported as old
 };
 
 }  // namespace parallel_aspects

@@ -49,7 +49,7 @@ std::optional<XmlRpcValue> ask_master(const std::string& method, const XmlRpcVal
   return payload;
 }
 
-// While this process shuts down its own connections are still open, but nobody serves them.
+// While this process shuts down, its own connections are still open, but not served.
 std::optional<XmlRpcValue> answer_of(XmlRpc::XmlRpcClient& client, const std::string& method,
                                      const XmlRpcValue& request) {
   if (!client.executeNonBlock(method.c_str(), request)) return std::nullopt;
@@ -100,7 +100,7 @@ bool register_publisher(const std::string& topic, const std::string& type) {
   return ask_master("registerPublisher", request_with(topic, type, own_address())).has_value();
 }
 
-// The publishers that the new master knows already are connected as if it had told of them.
+// The publishers that the new master knows already are connected as if it had reported them.
 bool register_subscriber(const std::string& topic, const std::string& type) {
   const auto publishers = ask_master("registerSubscriber", request_with(topic, type, own_address()));
   if (!publishers) return false;
@@ -225,8 +225,8 @@ AspectServer::~AspectServer() {
 }
 
 // Names of topics and services are free again only once the robot before is gone. Where the new one cannot be
-// served after all, that one is served anew, with what was in force, but without a start: where it is by now
-// somebody has to say.
+// served after all, that one is served anew, with what was in force, but without a start: where the robot
+// is by now must be stated anew.
 void AspectServer::replace_robot(NodeSetup setup) {
   if (robot_) last_served_ = robot_->setup();
   robot_.reset();

@@ -51,7 +51,7 @@ std::string age_text(const ros::Time& stamp, const ros::Time& now) {
 
 }  // namespace
 
-// Before anything has moved somebody has to look; once the robot was followed, losing it is an error.
+// Before the robot was ever followed this is a warning; losing it afterwards is an error.
 std::uint8_t diagnostic_level(const Status& status) noexcept {
   switch (status.code) {
     case Status::OK:

@@ -18,8 +18,8 @@ namespace parallel_aspects {
 
 /// /diagnostics of one robot, as four statuses. `tracking`: whether its configuration is known.
 /// `joint_states`: rates, age, refusals and losses of the input. `map`: whether there is one. `tf`: whether
-/// nodes contradict each other there. ERROR where the
-/// state is not to be relied on, WARN where somebody should look.
+/// nodes contradict each other there. ERROR where the state is not to be relied on, WARN where an operator
+/// should look.
 class Diagnostics {
  public:
   /// `monitor`, `worker` and `frames` must outlive the object.

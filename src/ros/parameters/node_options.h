@@ -20,7 +20,7 @@ namespace parallel_aspects {
 struct StartOptions {
   std::optional<std::vector<double>> pose;  ///< coordinates as `coordinate_names` [m or rad]
   std::optional<int> determinant_sign;      ///< sign of det A, 1 or -1
-  /// How far a direct solution may be from the pose that was said, RMS over the anchors, in the
+  /// How far a direct solution may be from the stated pose, RMS over the anchors, in the
   /// `DistanceUnit` of the robot [m or rad]; positive. Default: 1/20 of the robot's size.
   std::optional<double> tolerance;
 };
@@ -66,7 +66,7 @@ struct UniquenessParameters {
   std::optional<int> most_cells;  ///< as in `UniquenessOptions`, 1,000 to 100,000,000
 };
 
-/// How far a direct solution may be from the pose that was said, as a length of the model [m].
+/// How far a direct solution may be from the stated pose, as a length of the model [m].
 double tolerance_of(const StartOptions& start, const Manipulator& manipulator);
 
 /// What the thresholds of each hazard are, as lengths of the model [m].
@@ -75,7 +75,7 @@ DistanceThresholds::Options thresholds_of(const ThresholdParameters& parameters,
 /// Every parameter of the node but the description of the robot.
 struct NodeOptions {
   MapOptions map;
-  std::string map_file;  ///< where the map is kept, an absolute path; empty for nowhere
+  std::string map_file;  ///< where the map is kept, an absolute path; empty for none
   StartOptions start;
   DisplayOptions display;
   TrackerOptions tracking;
@@ -94,7 +94,7 @@ struct NodeOptions {
   double tf_timeout = 0.2;       ///< how long a query waits for tf [s], 0 to 60
   int state_decimation = 1;      ///< ~state is published with every n-th sample, 1 to 10,000
   int completed_decimation = 1;  ///< likewise ~joint_states and tf
-  bool read_only = false;        ///< refuses whatever changes the node while it runs
+  bool read_only = false;        ///< refuses all that changes the node while it runs
   /// Of the frames that the node adds, by default the robot's name; where it is set, of its links as well.
   std::string frame_prefix;
 };

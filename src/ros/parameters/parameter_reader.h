@@ -13,8 +13,8 @@
 
 namespace parallel_aspects {
 
-/// Reads typed values out of one struct of parameters and keeps every problem: wrong types, and keys nobody
-/// asked for.
+/// Reads typed values out of one struct of parameters and keeps every problem: wrong types, and keys that
+/// were not asked for.
 class ParameterReader {
  public:
   /// `values` is a struct, or invalid for one without members. `prefix` is its full name and a slash.

@@ -36,7 +36,7 @@ class TileLayout {
   Eigen::Vector2d pitch_ = Eigen::Vector2d::Ones();
 };
 
-/// Where things stand in rviz, told from the robot alone, before there is a map. The gallery stands to the
+/// Where things stand in rviz, derived from the robot alone, before there is a map. The gallery stands to the
 /// right of the robot: in its plane for planar robots, upright and leaning back towards the viewer for
 /// others.
 struct Scene {

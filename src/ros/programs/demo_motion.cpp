@@ -129,7 +129,7 @@ std::string text(const std::vector<int>& aspects) {
   return result;
 }
 
-// A motion, and what is said when it begins.
+// A motion, and the text that is logged when it begins.
 struct Act {
   SampledMotion motion;
   std::string text;
@@ -278,7 +278,7 @@ bool wait_for_server(const std::string& server, const ros::Publisher& publisher)
 
 void play(Act& act, Player& player) {
   if (!act.text.empty()) ROS_INFO_STREAM(act.text);
-  act.text.clear();  // said once
+  act.text.clear();  // logged once
   player.play(act.motion);
 }
 

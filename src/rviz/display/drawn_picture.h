@@ -39,7 +39,7 @@ class DrawnPicture {
 
   void set_look(const Look& look);
 
-  /// What the legend says above the colours, in lines, in place of what it said, which may be out of date.
+  /// The lines of the legend above the colours, in place of those before, which may be out of date.
   void set_head(const std::string& head);
 
   /// Where the moving part stands.

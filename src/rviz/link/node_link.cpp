@@ -60,7 +60,7 @@ NodeLink::News NodeLink::news() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (is_there != news_.is_there) {
     news_.is_there = is_there;
-    if (!is_there) {  // what a node said before it went is not the present
+    if (!is_there) {  // what a node sent before it ended is out of date
       news_.state.reset();
       news_.progress.reset();
       news_.candidates = {};

@@ -39,7 +39,7 @@ std::vector<ModeRows> rows_of(const NodeView& view);
 /// Of the sizes, such as "m²"; empty while no map is known.
 std::string unit_of(const NodeView& view);
 
-/// What is said below the table, such as how many aspects are proved; why it is empty, where it is.
+/// The text below the table, such as how many aspects are proved; why it is empty, where it is.
 std::string count_text(const NodeView& view);
 
 /// Ids of all aspects of the map.

@@ -63,7 +63,7 @@ Permission may_plan(const NodeView& view, const PlanChoice& choice, const PlanVi
 /// `topic`: as it was typed. `names` are looked at as ROS does.
 Permission may_publish(const PlanView& plan, const std::string& topic);
 
-/// What is said of a result.
+/// The text about a result.
 std::string text_of(const PlanPathResult& result);
 
 /// A planned path, to be walked along by a share of its length, 0 to 1.

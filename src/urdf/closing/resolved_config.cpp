@@ -106,7 +106,7 @@ class NameResolver {
     result_.closures.push_back(closure);
   }
 
-  // Whether what is said of loops and actuated joints could be read.
+  // Whether the descriptions of loops and actuated joints could be read.
   bool describe_loops(bool any_added) {
     const std::size_t before = problems_.size();
     const FoundLoops found = find_described_loops(source_, problems_);

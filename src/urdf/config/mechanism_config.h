@@ -17,8 +17,8 @@
 
 namespace parallel_aspects {
 
-/// A frame as it is written: the name of a link, or a place in its frame, so that nobody edits a URDF of
-/// others.
+/// A frame as it is written: the name of a link, or a place in its frame, so that a URDF of others
+/// needs no edit.
 struct ConfiguredFrame {
   std::string link;
   Eigen::Isometry3d in_link = Eigen::Isometry3d::Identity();  ///< [m]

@@ -18,7 +18,7 @@ namespace {
 constexpr double shortest_that_is_meant = 1.0 / 150.0;  // of slides of a robot that loads, of its size
 constexpr double widest_robot = 100.0;                  // [m]; wider ones are taken for such in millimetres
 
-constexpr double most_radians = 6.9;  // that somebody writes for an angle
+constexpr double most_radians = 6.9;  // that an author writes for an angle
 constexpr double most_turns = 6.0 * EIGEN_PI;
 constexpr double same_angle = 1e-6;     // [rad]
 constexpr double rounded_angle = 2e-4;  // by four digits or more [rad]
@@ -65,7 +65,8 @@ Edits metres_for_lengths(const Subject& s) {
   return {edit};
 }
 
-// Whether that is no angle that somebody computed in radians, as 420 degrees are.
+// Whether it is meant in degrees: too large for radians, and no round angle in radians, as that of 420
+// degrees.
 bool is_in_degrees(double angle) {
   const bool is_round = std::abs(std::remainder(angle, five_degrees)) < rounded_angle;
   return std::abs(angle) > most_radians && !(is_round && std::abs(angle) < most_turns);

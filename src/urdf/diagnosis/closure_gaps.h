@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Simulators hold together what coincides while all joints are zero. Where that is not what the two links of
-// a closure are there for, a robot loads that nobody means.
+// Simulators hold together what coincides while all joints are zero. If the two links of a closure were meant
+// to meet elsewhere, a robot loads that is not the intended one.
 #ifndef PARALLEL_ASPECTS_URDF_DIAGNOSIS_CLOSURE_GAPS_H
 #define PARALLEL_ASPECTS_URDF_DIAGNOSIS_CLOSURE_GAPS_H
 

@@ -243,7 +243,7 @@ class Search {
                                  static_cast<Eigen::Index>(s_.resolved.actuated_joints.variables.size());
   }
 
-  // As where somebody takes revolute joints for ball joints throughout. Fewer are of planar robots.
+  // For authors who write revolute joints for all ball joints. Fewer joints belong to planar robots.
   Edits type_of_all() const {
     const std::vector<Closure>& closures = s_.resolved.closures;
     const bool is_one = closures.size() > 2 && closures.front().type != ClosureType::automatic &&

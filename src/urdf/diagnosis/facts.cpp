@@ -15,7 +15,7 @@
 namespace parallel_aspects {
 namespace {
 
-// So many actuated joints are not meant to move one degree of freedom, whatever closures leave.
+// So many actuated joints are meant to move more than one degree of freedom.
 constexpr std::size_t drives_of_more = 3;
 
 constexpr const char* treated = "only a platform on a slide, which one leg moves (T1), is treated.";

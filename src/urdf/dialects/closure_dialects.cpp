@@ -18,7 +18,7 @@ std::size_t carried_link(const Tree& tree, std::size_t link) {
   return link;
 }
 
-// Simulators are told in the same way to hold a base in the world.
+// Such elements also tell simulators to fix the base to the world.
 bool closes_no_loop(const Tree& tree, const Closure& closure) {
   return carried_link(tree, closure.frames[0].link) == carried_link(tree, closure.frames[1].link);
 }

@@ -139,7 +139,7 @@ class LoopJointReader {
     return LinkFrame{*link, *frame};
   }
 
-  // Stated, or told by an axis; else unsaid.
+  // Stated; or revolute, if there is an axis; else not stated.
   std::optional<ClosureType> closure_type() const {
     const std::string type = attribute(&joint_, "type");
     if (!type.empty()) return described_type(type);

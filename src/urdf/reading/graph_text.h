@@ -8,10 +8,10 @@
 
 namespace parallel_aspects {
 
-/// The graph as a URDF of its spanning tree, with elements of this package for what a URDF cannot say:
+/// The graph as a URDF of its spanning tree, with elements of this package for what a URDF cannot express:
 /// <loop_closure>, which `dialects::equality` and `dialects::sdf_joint` read, <actuated_joint name/> and
-/// <reader_note text/>. What cannot be said is added to the graph's problems. A joint of several axes becomes
-/// revolute joints, about fixed axes of the child one after the other.
+/// <reader_note text/>. What these cannot express either is added to the graph's problems. A joint of several
+/// axes becomes revolute joints, about fixed axes of the child one after the other.
 std::string urdf_text(RobotGraph& graph, const std::string& file);
 
 }  // namespace parallel_aspects

@@ -34,7 +34,7 @@ struct LimitedDirection {
 
 /// The limits of a universal joint as cones about its centre: the directions of a rod for which both joints
 /// are within their limits are those in all the cones, exactly. The first joint is fixed in what the rod is
-/// seen from, the second in the cross. Nothing where that cannot be told from the direction of the rod: the
+/// seen from, the second in the cross. Nothing where the direction of the rod does not determine that: the
 /// axes or the second axis and the rod are not perpendicular, the second joint can turn so far that the rod
 /// is along the first axis, or the first by more than half a turn.
 std::optional<std::vector<LimitedDirection>> limited_directions(const UniversalAxis& first,

@@ -132,7 +132,7 @@ class Combiner {
             }));
   }
 
-  // What speaks for every joint of the combination.
+  // The evidence that all joints of the combination have.
   ActuationCandidate weighed(const Variables& chosen) const {
     ActuationCandidate candidate{chosen, 0, ""};
     const auto count = [&](bool holds, int weight, const std::string& reason) {

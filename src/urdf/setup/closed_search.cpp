@@ -201,9 +201,9 @@ class ClosedSearch {
     return candidate;
   }
 
-  // Whether these legs came to a mechanism or a question. Of the candidates that load, those for which most
-  // speaks are equals, and so are those that time does not suffice to try; beside a guess the others are
-  // listed.
+  // Whether these legs led to a mechanism or a question. Of the candidates that load, those with the
+  // strongest evidence are equals, and so are those that there is no time to try; beside a guess the others
+  // are listed.
   bool try_legs(const Platform& platform, const std::vector<GraphPart>& legs) {
     const std::vector<ActuationCandidate> candidates = actuations(legs);
     if (!answers_fit(legs)) return load_once(platform, candidates.front());

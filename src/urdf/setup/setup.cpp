@@ -73,7 +73,7 @@ class Setup {
   }
 
  private:
-  // What is stated of joints that are not there, or do not move, speaks for none.
+  // What is stated of joints that do not exist, or do not move, is no evidence.
   void note_unknown_joints() {
     for (const std::string& name : evidence_.unknown) {
       const bool is_fixed = tree_.joint_named(name).has_value();

@@ -25,7 +25,7 @@ struct SetupAnswers {
   std::vector<std::array<std::string, 2>> closures;
 };
 
-/// One value that a key of the YAML may have, and what speaks for it. Links of a closure have '=' between
+/// One value that a key of the YAML may have, and the evidence for it. Links of a closure have '=' between
 /// them.
 struct SetupCandidate {
   std::vector<std::string> values;
@@ -39,7 +39,7 @@ struct SetupChoice {
   std::vector<SetupCandidate> others;
 };
 
-/// What the URDF does not tell, and candidates for which equally much speaks; there may be none.
+/// What the URDF leaves open, and candidates with equally strong evidence; there may be none.
 struct SetupQuestion {
   std::string key;
   std::string text;  ///< one sentence
@@ -73,8 +73,8 @@ struct SetupResult {
 };
 
 /// Looks for base, loop closures, platform and actuated joints of the URDF, and tries what it finds with
-/// `load_mechanism`. It never chooses between what equally much speaks for. The names are those of files, for
-/// messages and comments.
+/// `load_mechanism`. It never chooses between values with equally strong evidence. The names are those of
+/// files, for messages and comments.
 SetupResult set_up(const std::string& urdf_text, const std::string& urdf_name, const std::string& config_name,
                    const SetupAnswers& answers, const SetupControl& control);
 
