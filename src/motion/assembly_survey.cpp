@@ -14,8 +14,8 @@
 namespace parallel_aspects {
 namespace {
 
-// Far above what rounding leaves between a pose and actuated values, far below distances of solutions [rad,
-// or of the size of the robot].
+// Allowance for the actuated values: far above the rounding between a pose and its values, far below the
+// distances of solutions [rad, or share of the robot's size].
 constexpr double allowed = 1e-10;
 
 }  // namespace
@@ -58,7 +58,7 @@ std::optional<ProvedSolution> SolutionProver::prove(const JointVector& q, const 
   return ProvedSolution{point.pose, *mode, sign, ball.radius};
 }
 
-// By a factor that no rounding makes up for: no radius is below a billionth of the robot's size.
+// A factor that rounding cannot make up for: no radius is below a billionth of the robot's size.
 bool SolutionProver::differ(const ProvedSolution& first, const ProvedSolution& second) const {
   const double turned =
       manipulator().characteristic_length() * first.pose.orientation.angularDistance(second.pose.orientation);
@@ -137,7 +137,7 @@ class Survey {
     return first_of_side_[side] + component;
   }
 
-  /// In turn one of each component.
+  /// The poses in turn, one of each component.
   std::vector<Vertex> choose(std::size_t count) const {
     std::vector<std::vector<Vertex>> of_component(result_.components.size());
     std::size_t all = 0;
@@ -166,7 +166,7 @@ class Survey {
     ++component.poses;
     if (!found) ++result_.incomplete;
     std::vector<ProvedSolution> all, in_aspect;
-    // The pose itself is one, whatever the solver says.
+    // The pose itself is one, even if the solver misses it.
     add(q, pose, side, own, all, in_aspect);
     for (const AssemblyMode& mode : found.solutions)
       if (!mode.serially_singular && !add(q, mode.pose, side, own, all, in_aspect)) ++component.unknown;
@@ -175,7 +175,7 @@ class Survey {
     keep_best(q, in_aspect, best_[index]);
   }
 
-  /// Whether it is known of a solution whether it lies in the aspect of the pose.
+  /// Adds a solution, if it is proved. False where it is not known whether it lies in the aspect of the pose.
   bool add(const JointVector& q, const Pose& pose, const RoadmapSide& side, std::uint32_t own,
            std::vector<ProvedSolution>& all, std::vector<ProvedSolution>& in_aspect) const {
     const auto solution = prover_.prove(q, pose);
@@ -191,14 +191,14 @@ class Survey {
     return true;
   }
 
-  /// Of a solution that is not proved: whether poses near it are proved to violate a constraint.
+  /// Whether poses near a solution that is not proved are proved to violate a constraint.
   bool lies_in_no_aspect(const Pose& pose, const WorkingMode& mode) const {
     return roadmap_.certifier()
                .prove_around(pose, near_by * manipulator_.size(), near_by, mode)
                .proved_violation != Violation::none;
   }
 
-  /// Of all pairs that is kept which has a straight path, if one has, and is farthest from singularities.
+  /// Keeps one of all pairs: one with a straight path, if there is any, and the farthest from singularities.
   void keep_best(const JointVector& q, const std::vector<ProvedSolution>& solutions,
                  std::optional<Pair>& best) const {
     std::vector<double> indices;

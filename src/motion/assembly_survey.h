@@ -21,10 +21,10 @@ class SolutionProver {
  public:
   explicit SolutionProver(const SegmentCertifier& segments);
 
-  /// The solution that Newton's method leads to from a pose; nothing where one of this is not proved.
+  /// The solution that Newton's method leads to from a pose; nothing where it is not proved.
   std::optional<ProvedSolution> prove(const JointVector& q, const Pose& near) const;
 
-  /// Whether what lies in the balls is not the same.
+  /// Whether the solutions in the balls are different.
   bool differ(const ProvedSolution& first, const ProvedSolution& second) const;
 
  private:
@@ -37,9 +37,9 @@ class SolutionProver {
   TaskVector allowance_;
 };
 
-/// Looks at that many poses of a roadmap, in turn one of each component that has any left. Of the direct
-/// solutions of its actuated values only those are counted that are proved. The direct solver is numerical,
-/// so that there may be more. Nothing where it is cancelled.
+/// Examines that many poses of a roadmap, in turn one of each component that has any left. Only proved
+/// direct solutions of its actuated values are counted. The direct solver is numerical, so there may be
+/// more. Nothing where it is cancelled.
 std::optional<AssemblySurvey> survey_assembly_modes(const PoseRoadmap& roadmap, std::size_t poses,
                                                     const MapControl& control = {});
 

@@ -21,14 +21,14 @@ constexpr double narrow_piece = 0x1p-20;  // that is still tried to be proved fr
 constexpr double shortest_piece = 0x1p-36;
 constexpr double longest_probe = 0x1p-6;
 
-// A fold is looked for where pieces become as short as this, and again each time that they are so much
-// shorter still: to follow the platform up to one takes the more pieces the worse it is conditioned.
+// A fold is searched where pieces become as short as this, and again each time that they have become shorter
+// by this factor: the worse a fold is conditioned, the more pieces lead up to it.
 constexpr double first_look = 0x1p-12;
 constexpr double next_look = 0x1p-4;
 
 using JointRanges = std::array<Interval, max_legs>;
 
-/// Follows the platform piece by piece, each of which is proved.
+/// Follows the platform piece by piece, and proves each piece.
 class JointCheck {
  public:
   JointCheck(const SegmentCertifier& certifier, const std::vector<JointWaypoint>& waypoints,
@@ -126,7 +126,7 @@ class JointCheck {
               });
   }
 
-  /// Ends here where the fold is near enough.
+  /// Ends the search here if the fold is near enough.
   void look_for_fold(std::size_t i, const JointPath& path, double share) {
     look_ = next_look * length_;
     const std::optional<double> met = fold_after(path, share, std::min(1.0, share + options_.bracket));
@@ -170,8 +170,8 @@ class JointCheck {
     return q;
   }
 
-  /// Straight from the point that is known to one near the end of the piece; what the joints are off that
-  /// way is within its allowance.
+  /// Goes straight from the known point to one near the end of the piece; the allowance covers how far the
+  /// joints leave the straight way.
   Piece go(const JointPath& path, double begin, double end) {
     JointVector target(at_.q.size()), bend(at_.q.size());
     JointRanges range;
@@ -192,8 +192,8 @@ class JointCheck {
     return Piece::taken;
   }
 
-  /// Of all that the platform and the joints can be in this piece. By the joints as well, B_jj is known to
-  /// the first order; by the pose alone it would be a square root.
+  /// For all poses and joint values of this piece. With the joints, B_jj is enclosed to the first order; by
+  /// the pose alone it would be a square root.
   bool is_free(const JointRanges& range, double radius) const {
     if (!within_limits(range)) return false;
     for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
@@ -248,7 +248,7 @@ class JointCheck {
     return options_.pass_serial && (check_.violation || !has_serial_margin(manipulator_));
   }
 
-  /// Constraints are of no interest once the trajectory is proved not to be safe.
+  /// Constraints are not examined any more once the trajectory is proved not to be safe.
   bool has_others() const {
     ConstraintKinds kinds = manipulator_.constraint_kinds();
     kinds[static_cast<std::size_t>(ConstraintKind::actuated_limits)] = false;
@@ -313,7 +313,7 @@ class JointCheck {
     is_free_ = true;
   }
 
-  /// Notes what is violated by this time, and goes on behind it.
+  /// Notes what is violated up to this time, and goes on behind it.
   void violate(Violation kind, std::optional<std::size_t> leg, std::optional<ConstraintKind> constraint,
                double time) {
     const bool may_pass = kind == Violation::out_of_reach && passes_serial();

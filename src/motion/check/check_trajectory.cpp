@@ -28,10 +28,10 @@ std::string start_problem(const Manipulator& manipulator, const Pose& pose, cons
          "' in working mode " + to_string(mode) + "; start from a pose that it reaches.";
 }
 
-// Of poses in floating point, over the size of the robot: with much room.
+// Bound of the rounding of poses, over the size of the robot; generous.
 constexpr double sample_rounding = 0x1p-40;
 
-/// Goes from segment to segment for as long as they are free.
+/// Goes from segment to segment as long as they are free.
 class PoseCheck {
  public:
   PoseCheck(const SegmentCertifier& certifier, const std::vector<PoseWaypoint>& waypoints,
@@ -83,7 +83,7 @@ class PoseCheck {
     if (cross(i, proof)) follow(i, proof.witness);
   }
 
-  /// What comes after the first violation: by the legs alone, without constraints.
+  /// Goes on behind the first violation: by the legs alone, without constraints.
   void follow(std::size_t first, double share) {
     const SegmentCertifier legs(manipulator_.with_constraints({}));
     for (std::size_t i = first; i < times_.count(); ++i) {
@@ -138,8 +138,8 @@ class PoseCheck {
               [&](double begin, double end) { return certifier_.joint_speeds(from, to, mode_, begin, end); });
   }
 
-  /// At least how far poses between the last sample and this one are from either: positions run straight and
-  /// orientations turn about one axis. Samples are off the path by their rounding.
+  /// An upper bound of the distance of poses between the last sample and this one from either: positions run
+  /// straight and orientations turn about one axis. Samples are off the path by their rounding.
   double radius_to(const Pose& pose) {
     if (!options_.keep_samples) return 0.0;
     const RoundingUpward upward;

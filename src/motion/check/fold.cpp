@@ -65,7 +65,7 @@ Interval JointPath::value(std::size_t leg, double s) const noexcept {
   return sum;
 }
 
-// About the middle of the range, so that it is tight to the second order.
+// Expanded about the middle of the range, so that it is tight to the second order.
 Interval JointPath::slope(std::size_t leg, const Interval& s) const noexcept {
   const Interval middle(0.5 * (s.lower() + s.upper()));
   Interval sum(0.0);
@@ -91,7 +91,7 @@ namespace {
 constexpr int most_arcs = 2000;
 constexpr int most_halvings = 12;
 
-// Of the first arc, over the size of the robot; they grow as far as they can be proved.
+// Length of the first arc, over the size of the robot; arcs grow as far as they can be proved.
 constexpr double first_length = 0x1p-24;
 
 // How far along an arc the next one starts: distances are rounded up.
@@ -131,7 +131,7 @@ FoldProof::FoldProof(const Manipulator& manipulator, const PoseCertifier& poses,
   }
 }
 
-// So that the column of z is about as long as those of xi.
+// Chosen so that the column of z is about as long as those of xi.
 double FoldProof::find_scale(const CertifiedPoint& at, double share) const noexcept {
   double scale = 0.0;
   for (std::size_t j = 0; j < size_; ++j)
@@ -140,14 +140,14 @@ double FoldProof::find_scale(const CertifiedPoint& at, double share) const noexc
   return scale;
 }
 
-/// What q_j is off `q`, a number in the middle of it.
+/// The difference of q_j and `q`, a number in the middle of its range.
 Interval FoldProof::middle_of(std::size_t leg, double share, double& q) const noexcept {
   const Interval value = path_.value(leg, share);
   q = 0.5 * (value.lower() + value.upper());
   return value - Interval(q);
 }
 
-// What q_j is off its middle counts to the first order in the rows, and to the second in F.
+// The deviation of q_j from its middle counts to the first order in the rows, and to the second in F.
 FoldProof::System FoldProof::enclose(Point& point) const noexcept {
   System system;
   RotationRows<Interval> turn;

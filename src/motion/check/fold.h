@@ -30,7 +30,7 @@ class JointPath {
   /// Encloses its second derivative over a range of s [rad or m].
   Interval second(std::size_t leg, const Interval& s) const noexcept;
 
-  /// At least how far a joint is from its chord between two s [rad or m].
+  /// An upper bound of how far a joint is from its chord between two s [rad or m].
   double bend(std::size_t leg, double begin, double end) const noexcept;
 
  private:
@@ -52,7 +52,7 @@ class JointPath {
 /// then for every |tau| <= h the ball holds exactly one solution; it is continuous in tau. So the solutions
 /// with |tau| <= h in the ball are one arc, and the extended matrix is regular on it, whether det A vanishes
 /// or not. As |tau| <= |zeta|, each solution that is within h of the point lies on it. Arcs that share a
-/// solution go on in one another.
+/// solution continue each other.
 ///
 /// Theorem. Let the platform be followed with det A != 0 for all s in [earliest, share], and let arcs lead
 /// from its solution at `share` to one where det A has the other sign, with earliest < s < latest <= 1 on all

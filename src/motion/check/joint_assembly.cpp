@@ -121,14 +121,15 @@ std::string start_misfit(const Manipulator& manipulator, const JointVector& q, c
 
 namespace {
 
-/// Where a leg keeps the operational point: |X - center|^2 = squared_radius.
+/// The sphere on which a leg keeps the operational point: |X - center|^2 = squared_radius.
 struct Sphere {
   IntervalVector center;
   Interval squared_radius;
 };
 
-/// Seen from the origin, the anchor is off the proximal point by u = -center. What `q` is off its middle
-/// moves the center at most with the speed of the proximal point, and changes rho^2 at most as 2 B_jj does.
+/// With the platform at the origin, the vector from proximal point to anchor is u = -center. The deviation of
+/// `q` from its middle moves the center at most with the speed of the proximal point, and changes rho^2 at
+/// most as 2 B_jj does.
 Sphere sphere_of(const Leg& leg, const Interval& q) {
   const LegForm form(leg);
   const double middle = 0.5 * (q.lower() + q.upper());

@@ -36,7 +36,7 @@ class SegmentTimes {
   const Waypoint& from(std::size_t i) const { return waypoints_[i]; }
   const Waypoint& to(std::size_t i) const { return waypoints_[std::min(i + 1, waypoints_.size() - 1)]; }
 
-  /// That segment i is done; some hundred times at most.
+  /// Reports that segment i is done; some hundred times at most.
   void report(std::size_t i, const MapControl& control) const {
     const std::size_t stride = 1 + count() / 256;
     if (control.progress && i % stride == 0)
@@ -45,12 +45,12 @@ class SegmentTimes {
 
   double at(std::size_t i, double share) const { return from(i).time + share * (to(i).time - from(i).time); }
 
-  /// No later than at this share, whatever rounding does.
+  /// A lower bound of the time at this share, in spite of rounding.
   double before(std::size_t i, double share) const {
     return share >= 1.0 ? to(i).time : std::max(from(i).time, at(i, share) - rounding(i));
   }
 
-  /// No earlier.
+  /// An upper bound.
   double after(std::size_t i, double share) const { return std::min(to(i).time, at(i, share) + rounding(i)); }
 
  private:

@@ -76,7 +76,7 @@ class Stations {
     return true;
   }
 
-  /// From the last station. Halved at a waypoint, or within its only segment.
+  /// The piece from the last station. It is halved at a waypoint, or within its only segment.
   void add_piece(const Path& piece, int halvings) {
     std::vector<bool> free;
     for (const WorkingMode& mode : modes_) free.push_back(is_proved(piece, mode));

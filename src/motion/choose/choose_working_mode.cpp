@@ -19,7 +19,7 @@ bool has_velocity_limit(const Manipulator& manipulator) {
                      [](const Leg& leg) { return std::isfinite(leg.limits.velocity); });
 }
 
-/// Of a start that floating-point arithmetic says to be out of reach, or below a margin.
+/// The answer for a start that is out of reach by floating-point arithmetic, or below a margin.
 TrajectoryCheck fail_at_start(const SegmentCertifier& certifier, const PoseWaypoint& start,
                               const WorkingMode& mode) {
   TrajectoryCheck check;
@@ -91,7 +91,7 @@ class PathSurvey {
   }
 
  private:
-  /// Of the check of one working mode, as part of all.
+  /// Progress of the check of one working mode, as part of all.
   MapControl control_of_check() const {
     MapControl control;
     control.cancelled = options_.control.cancelled;

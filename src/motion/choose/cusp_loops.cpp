@@ -60,7 +60,7 @@ double room_at(const Manipulator& robot, const Pose& pose, const JointVector& q)
 
 std::array<Eigen::Index, 2> free_legs(std::size_t held) { return {held == 0 ? 1 : 0, held == 2 ? 1 : 2}; }
 
-/// Over nodes and passes of the cut. A way ends next to the goal when it has gone around the cusp.
+/// A search over nodes and passes of the cut. A way ends next to the goal when it has gone around the cusp.
 class CuspLoops::Search {
  public:
   /// The cost of a way that goes on to a node with this room.
@@ -161,7 +161,7 @@ Pose CuspLoops::pose(std::size_t node) const {
   return circle_.pose(origin_.x() + step * x_of(node), origin_.y() + step * y_of(node));
 }
 
-// Not numbers where the pose is out of reach.
+// NaN where the pose is out of reach.
 JointVector CuspLoops::values(const Pose& pose) const {
   const InverseSolution found = inverse(robot_, pose, mode_);
   if (found.status != InverseStatus::out_of_reach) return found.q;
@@ -181,7 +181,8 @@ std::array<std::size_t, 8> CuspLoops::neighbours(std::size_t node) const {
           node_at(x - 1, y - 1), node_at(x - 1, y + 1), node_at(x + 1, y - 1), node_at(x + 1, y + 1)};
 }
 
-/// The cut goes down from the cusp, of angles by half a turn: 1 where it is passed counter-clockwise.
+/// The cut goes down from the cusp; for angles it is half a turn long. 1 where it is passed
+/// counter-clockwise.
 int CuspLoops::passes_cut(const JointVector& from, const JointVector& to, const JointVector& cusp) const {
   const auto off = [&](const JointVector& q) {
     Vector2d difference;

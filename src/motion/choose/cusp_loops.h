@@ -18,8 +18,8 @@
 
 namespace parallel_aspects {
 
-/// An estimate of how much the actuated joints may be off at a pose before another assembly mode could be
-/// meant: 0 at det A = 0 [rad or m].
+/// An estimate of the largest error of the actuated joints at a pose with which no other assembly mode fits
+/// them: 0 at det A = 0 [rad or m].
 double room_at(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 
 /// The legs of SE2 whose joints are not held.

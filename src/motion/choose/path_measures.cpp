@@ -63,7 +63,7 @@ namespace {
 
 constexpr double aimed_gap = 0.05;
 
-/// What rounding may take from a length; a few thousand times what it does.
+/// Allowance for the rounding of a length; a few thousand times what it needs.
 constexpr double rounding = 1e-12;
 
 /// No less than how far the platform gets from either end, in the metric, anywhere on a segment: the

@@ -34,8 +34,8 @@ PathEffort effort_of(const Manipulator& manipulator, const std::vector<PoseWaypo
 /// Measures a path, where it comes near a singularity more densely, until the bound is within 5 % of the
 /// least measured distance or `measures` are used up. The path must be safe in this mode.
 ///
-/// Between two poses of the path that are L apart along it the distance is nowhere below half of the sum of
-/// theirs less L, as it changes by no more than the robot moves.
+/// Between two poses that are L apart along the path the distance is at least half of (the sum of theirs less
+/// L), as it changes by no more than the robot moves.
 PathClearance measure_clearance(BoundaryDistanceMeter& meter, const Manipulator& manipulator,
                                 const std::vector<PoseWaypoint>& waypoints, const WorkingMode& mode,
                                 int measures, const MapControl& control = {});

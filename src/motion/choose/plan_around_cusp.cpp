@@ -30,7 +30,8 @@ constexpr int steps_of_a_loop = 32;
 // Paths with as much room, to this share of it, differ by the cusps that they go around.
 constexpr double same_room = 0.01;
 
-// Noise that is tried, from the largest on, each a share of the last [rad, or share of the robot's size].
+// Noises that are tried, the largest first, each this share of the one before [rad, or share of the robot's
+// size].
 constexpr double largest_noise = 1e-2, next_noise = 0.9, least_noise = 1e-7;
 
 // Actuated values are the same to this share of the largest.
@@ -54,7 +55,7 @@ class ActuatedLoop {
       }
   }
 
-  /// Counter-clockwise; around these values of angles in every turn.
+  /// Counts turns counter-clockwise; for angles, around the values in every turn.
   int turns_around(const JointVector& actuated) const {
     const Vector2d middle = near(values_.front(), plane_of(actuated));
     int turns = 0;
@@ -74,7 +75,7 @@ class ActuatedLoop {
 
   Vector2d plane_of(const JointVector& q) const { return {q[legs_[0]], q[legs_[1]]}; }
 
-  /// The same values, of angles in the turn next to these.
+  /// The same values, angles shifted to the turn next to these.
   Vector2d near(const Vector2d& reference, Vector2d values) const {
     for (const std::size_t axis : {0U, 1U}) {
       const auto k = static_cast<Eigen::Index>(axis);

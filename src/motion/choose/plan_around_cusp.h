@@ -38,8 +38,8 @@ class CuspPlanner {
   double least_room(const PlannedPath& path) const;
 
   /// An estimate of the largest `SampleOptions::encoder_noise` with which a tracker follows a path: what
-  /// `StandOff` says of a robot that stands still, at 32 poses a segment, to a tenth. 0 where it is less than
-  /// 1e-7.
+  /// `StandOff` estimates for a robot that stands still, at 32 poses a segment, to a tenth. 0 where it is
+  /// less than 1e-7.
   double followed_noise(const PlannedPath& path) const;
 
   /// How often the actuated values of a path that brings them back go around each cusp, counter-clockwise in
@@ -61,7 +61,7 @@ class CuspPlanner {
   MapSegments segments_;
 };
 
-/// A sentence about what `followed_noise` says.
+/// A sentence about the result of `followed_noise`.
 std::string noise_text(double noise);
 
 }  // namespace parallel_aspects

@@ -31,7 +31,7 @@ bool is_mapped(const PoseSpace& space, const MapPoint& point) {
   return true;
 }
 
-/// A box of positions that stands for all of them: the space does not look at it.
+/// A box of positions in place of all of them; the space ignores it.
 Box any_positions(TaskSpace space) {
   Box box{degrees_of_freedom(space), {-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}};
   if (space == TaskSpace::SE2) box.dimension = 2;

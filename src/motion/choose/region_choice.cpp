@@ -64,7 +64,7 @@ bool is_better_region(const ModeInRegion& a, const ModeInRegion& b) {
                                             : a.undecided < b.undecided;
 }
 
-/// What is proved of poses in every working mode.
+/// What is proved of single poses in every working mode.
 class PoseTable {
  public:
   PoseTable(const std::shared_ptr<const Manipulator>& manipulator, std::vector<Pose> poses)

@@ -19,7 +19,7 @@ constexpr double index_gap = 0.1;           // between the bounds of the least i
 constexpr std::size_t index_boxes = 20000;  // that are looked at for it
 constexpr double index_share = 0.3;         // see BoxClassifier::enclose_index
 
-/// Half turns of an angle, no less or no more than it is: two roundings of half a unit in the last place.
+/// An angle in half turns, as a lower or an upper bound: two roundings of half a unit in the last place.
 double half_turns(double angle, double towards) {
   double value = angle / EIGEN_PI;
   for (int i = 0; i < 3; ++i) value = std::nextafter(value, towards);
@@ -155,7 +155,7 @@ ModeInRegion RegionSurvey::conclude(std::size_t mode) const {
   return result;
 }
 
-// Always in the box that may hold the least: its lower bound is that of all.
+// Always divides the box that may hold the least: its lower bound is that of all.
 IndexRange RegionSurvey::least_index(std::size_t mode, int sign) const {
   IndexRange range{0.0, std::numeric_limits<double>::infinity()};
   std::priority_queue<Bounded> boxes;

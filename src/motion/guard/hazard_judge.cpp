@@ -12,17 +12,18 @@
 namespace parallel_aspects {
 namespace {
 
-// For floating-point arithmetic beside the proofs; far more than it is off by.
+// Allowance for floating-point arithmetic beside the proofs; far more than its error.
 constexpr double relative_rounding = 1e-9, rounding_of_size = 1e-12;
 
-// A command is followed for this many latencies longer than is needed, as far as its scale is concerned. The
-// speed then falls with the distance so gently that a robot that answers late, by up to the latency, does not
+// The scale is chosen as if a command were followed for this many latencies longer than it is. The speed then
+// falls with the distance so gently that a robot that answers late, by up to the latency, does not
 // oscillate: v(t) = d(t) / T with d'(t) = -v(t - latency) is monotone for T >= e latency. The rest is for
 // distances that come late, and for commands that are merged.
 constexpr double calm = 5.0;
 
-// Its braking counts so many times, so that the robot never needs all of its deceleration to follow the speed
-// that the distance allows. Else one call takes all of the room, and the next ones get none until it stands.
+// The braking of a command counts so many times, so that the robot never needs all of its deceleration to
+// follow the speed that the distance allows. Else one call takes all of the room, and the next ones get none
+// until it stands.
 constexpr double calm_braking = 2.0;
 
 // Cosine of the angle between a command and the fastest way out, from which on it passes whole; smaller ones
@@ -34,7 +35,7 @@ constexpr double clearly_away = 0.05;
 constexpr std::array<double, 4> first_reaches{1.0, 0.3, 0.1, 0.03};
 constexpr double least_reach = 0.03;
 
-// How much more than the distance that is proved is looked at for a way out.
+// How far beyond the proved distance a way out is searched, as a share of it.
 constexpr double nearly = 0.1;
 
 double positive_part(double value) noexcept { return std::max(0.0, value); }
@@ -83,7 +84,7 @@ double HazardJudge::pending_travel(const Of& of) const noexcept {
     const Motion& motion = prospect_.before[i];
     const SpeedRange speed = of(motion.speed);
     travel += speed.most * motion.seconds;
-    // Delays that differ may let a faster command begin sooner or end later than a slower one.
+    // If delays differ, a faster command may begin sooner or end later than a slower one.
     if (motion.may_begin_yet)
       travel += (positive_part(speed.most - least_before) + speed.range()) * options_.latency;
     double lost = speed.range();
@@ -105,7 +106,7 @@ StoppingMotion HazardJudge::stopping(const Of& of) const noexcept {
   return motion;
 }
 
-// Of at most this scale; travel is convex in the scale.
+// The largest travel of all scales up to this one; travel is convex in the scale.
 template <class Of>
 double HazardJudge::travel_up_to(double scale, const Of& of) const noexcept {
   const StoppingMotion motion = stopping(of);

@@ -19,7 +19,8 @@ bool IssuedMotion::issue(double time, const TaskVector& twist, double brake) noe
   return true;
 }
 
-// As many a time as are kept at the highest rate, with some to spare. The first of a series stands for it.
+// Commands that follow each other within a grain of time are one, so that the list has room for all of them
+// at the highest rate. The first of a series replaces it.
 bool IssuedMotion::merge(double time, const TaskVector& twist, double brake) noexcept {
   if (count_ == 0) return false;
   Command& last = commands_[(first_ + count_ - 1) % most];

@@ -92,7 +92,7 @@ class MotionGuard::Core {
     judge_.look_ahead(state, issued_, twist, time);
     for (const Hazard hazard : {Hazard::parallel_singularity, Hazard::serial_singularity, Hazard::limit}) {
       const auto i = static_cast<std::size_t>(hazard);
-      // Those of another working mode say nothing here, but for serial singularities.
+      // Distances of another working mode do not apply here, except to serial singularities.
       const bool holds = proved.mode == state.mode || hazard == Hazard::serial_singularity;
       const double lower = holds && !std::isnan(proved.lower[i]) ? proved.lower[i] : -infinite;
       if (lower == infinite) continue;
@@ -120,7 +120,7 @@ class MotionGuard::Core {
       if (result.reason == GuardReason::none || result.reason == GuardReason::joint_velocity)
         result.reason = GuardReason::recovery;
     }
-    // Limits of velocity are no reason to rise slowly.
+    // After a limit of velocity the scale need not rise slowly.
     scale_ = result.reason == GuardReason::joint_velocity ? most : result.scale;
   }
 

@@ -120,7 +120,7 @@ void explain(const AspectMap& map, const SegmentCertifier& certifier, const Pose
     end.reasons.add(at.mode, "it is closer to a singularity or a limit than the map can tell");
 }
 
-/// Where the map itself cannot tell, a proved path into an aspect does.
+/// Where the map itself does not place the end, a proved path into an aspect does.
 PoseInAspect find_lead(const AspectMap& map, const MapSegments& segments, const PoseInMode& at) {
   const int sign = segments.certifier().prove(at.pose, at.mode).sign;
   if (sign == 0) return {};

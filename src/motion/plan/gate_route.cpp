@@ -13,10 +13,10 @@
 namespace parallel_aspects {
 namespace {
 
-// What a change of the working mode counts as, of the size of the robot.
+// The cost of a change of the working mode, over the size of the robot.
 constexpr double cost_of_crossing = 0.1;
 
-// What it counts as that control of the platform is lost.
+// The cost of a loss of control of the platform, likewise.
 constexpr double cost_of_lost_control = 100.0;
 
 /// A*, by the distance to the goal as the crow flies, over the places where a gate or an end lies in an

@@ -46,8 +46,8 @@ struct GateChoice {
   bool is_clear = false;  // of each gate the best crossing alone
 };
 
-/// The proved gates from one of the starts to one of the goals, such that the path is short as the crow flies
-/// and changes the working mode, or loses control of the platform, no more often than that is worth; nothing
+/// The proved gates from one of the starts to one of the goals, such that the path is short as the crow
+/// flies, with a cost for each change of the working mode and each loss of control of the platform; nothing
 /// where there is none.
 std::optional<GateRoute> find_gate_route(const AspectMap& map, const AspectGraph& graph,
                                          const std::vector<PoseInAspect>& starts,

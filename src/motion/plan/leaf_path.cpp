@@ -20,8 +20,8 @@ namespace {
 // What a path counts in a leaf as small as the resolution, and more in an undecided one.
 constexpr double cost_of_small_leaves = 3.0, cost_of_undecided_leaves = 6.0;
 
-// What the distance to the goal counts, more than a path could cost at least: then far fewer leaves are
-// looked at, and the path is shortened anyway.
+// Weight of the distance to the goal, above the least cost of a path: far fewer leaves are examined, and the
+// path is shortened anyway.
 constexpr double greed = 10.0;
 
 /// A* from middle to middle. The goal is `no_node`, which the leaves near it lead to. Where an index is
@@ -80,7 +80,7 @@ class LeafSearch {
   bool is_barred(NodeIndex from, NodeIndex to) const {
     return !choice_.barred.empty() && choice_.barred.count({from, to}) > 0;
   }
-  /// Saves a search of all that is connected where the goal is not.
+  /// Saves a search of a whole connected set that does not hold the goal.
   bool may_lead_on(NodeIndex leaf) {
     return choice_.undecided || choice_.passages != nullptr ||
            std::any_of(last_.begin(), last_.end(),

@@ -101,7 +101,7 @@ bool MapSegments::pieces_are_free(const Pose& from, const Pose& to, const Workin
   });
 }
 
-/// A look at some poses, which spares most of the proofs that would fail.
+/// Tests some poses first, which saves most of the proofs that would fail.
 bool MapSegments::looks_free(const Pose& from, const Pose& to, const WorkingMode& mode, int sign) const {
   const Manipulator& robot = *map_->manipulator();
   return std::all_of(looks_at_a_segment.begin(), looks_at_a_segment.end(), [&](double t) {

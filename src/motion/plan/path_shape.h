@@ -23,11 +23,11 @@ struct PathShape {
 
 inline constexpr PathShape short_shape{false, 0.0}, clear_shape{true, 1.0};
 
-/// In how many steps of the index that is wanted poses count as equally far from singularities: of those that
-/// are, the near ones come first.
+/// The number of steps of the wanted index: poses in one step count as equally far from singularities, and of
+/// those the near ones come first.
 inline constexpr double index_steps = 40.0;
 
-/// How long, of a segment that leads to where B_jj is zero, the end may be that is not proved.
+/// The share of a segment towards B_jj = 0 that may stay unproved, at its end.
 inline constexpr double width_of_turning_points = 1e-9;
 
 /// The segments of one working mode.
@@ -53,9 +53,9 @@ double least_index_along(const std::vector<Pose>& path, const SegmentsInMode& se
 std::vector<Pose> shortened(const std::vector<Pose>& path, const SegmentsInMode& segments,
                             double least_index);
 
-/// The path with poses added such that no segment turns by more than a quarter turn: about half a turn, which
-/// way round a segment goes would hang on rounding, and whoever reads the path could take the other way, of
-/// which nothing is proved. The shorter segments are proved anew, and divided further where one of them is
+/// The path with poses added such that no segment turns by more than a quarter turn: near half a turn
+/// rounding would decide which way round a segment goes, and a reader of the path could take the other way,
+/// which is not proved. The shorter segments are proved anew, and divided further where one of them is
 /// not; empty where that does not help.
 std::vector<Pose> with_short_turns(const std::vector<Pose>& path, const SegmentsInMode& segments);
 

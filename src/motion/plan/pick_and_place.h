@@ -39,7 +39,7 @@ struct PickAndPlace {
   explicit operator bool() const noexcept { return !joint_values.empty(); }
 };
 
-/// Whether a round along these corners will do, as where a tracker follows it.
+/// Whether a round along these corners is accepted, for instance since a tracker follows it.
 using AcceptsRound = std::function<bool(const std::vector<JointVector>& corners)>;
 
 /// Plans one with proved paths from a pose in a working mode: of those that are accepted, the one that stays

@@ -133,7 +133,7 @@ class RoadmapPlanner {
     return proved(result, segments);
   }
 
-  /// With short turns; those of which they are not proved are left out.
+  /// The paths with short turns; a path for which these are not proved is left out.
   static std::vector<std::vector<Pose>> proved(const std::vector<std::vector<Pose>>& paths,
                                                const SegmentsInMode& segments) {
     std::vector<std::vector<Pose>> result;
@@ -178,7 +178,7 @@ class RoadmapPlanner {
     return pairs;
   }
 
-  /// From either end: a gate that is near the one may lead to where the other cannot be reached from.
+  /// Searches from either end: a gate near the one may lead to where the other cannot be reached from.
   PlannedPath pass_gates(const SignedEnd& starts, const SignedEnd& goals) const {
     const std::vector<ModePair> pairs = mode_pairs(starts, goals);
     if (pairs.empty() && starts.all_known && goals.all_known && wish_.policy == PathPolicy::serial)
@@ -221,7 +221,7 @@ class RoadmapPlanner {
     return begun_at(q, robot_, std::move(path));
   }
 
-  /// How gates are looked for.
+  /// How gates are searched.
   struct GateSearch {
     PathShape shape;
     std::size_t most_gates;  // that are tried of each leg that changes its posture

@@ -136,7 +136,7 @@ class PathPlanner::Search {
     return "No aspect of the map is known to hold both ends: " + text;
   }
 
-  /// Of what is proved by leaves: a path that leaves the slice is not excluded.
+  /// A note on proofs by leaves of a slice: a path that leaves the slice is not excluded.
   std::string within_slice() const { return map_.slice() ? " within the slice" : ""; }
 
   std::string difference(const Aspect& one, const Aspect& other) const {

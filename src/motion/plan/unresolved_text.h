@@ -10,7 +10,7 @@
 namespace parallel_aspects {
 
 /// What the map leaves open of two aspects, by their ids, that are not resolved: where they meet, and what is
-/// nearly singular there. Sentences; a description, of which nothing is proved.
+/// nearly singular there. Sentences that describe; nothing in them is proved.
 std::string unresolved_text(const AspectMap& map, int first, int second, const MapControl& control = {});
 
 }  // namespace parallel_aspects

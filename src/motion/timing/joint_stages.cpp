@@ -43,7 +43,7 @@ class JointStages::Sampler {
                                                      static_cast<double>(count) * path_.length(i) / total))));
   }
 
-  /// Twice: where the joints turn out to go far between two samples, more are taken.
+  /// Samples twice: where the joints go far between two samples, more are taken.
   Stages run() {
     pass();
     double length = 0.0, samples = 0.0;
@@ -87,8 +87,8 @@ class JointStages::Sampler {
       go(pose_at, static_cast<double>(k) / whole, static_cast<double>(k + 1) / whole, mode, most_halvings);
   }
 
-  /// Toward a gate and away from it B_jj goes as the root of the way, and so does the joint that passes: the
-  /// samples lie such that its steps are about even, one of them across the gate.
+  /// Near a gate B_jj is proportional to the root of the way, and so is the joint that passes: the samples
+  /// lie such that its steps are about even, one of them across the gate.
   void follow(std::size_t i) {
     const Node &from = path_.nodes_[i], &to = path_.nodes_[i + 1];
     const double begin = from.radius, length = path_.length(i) - to.radius - begin;

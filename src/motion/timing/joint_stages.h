@@ -10,17 +10,17 @@
 
 namespace parallel_aspects {
 
-/// Those of the actuated joints, one a leg [rad/s or m/s].
+/// Velocity limits of the actuated joints, one a leg [rad/s or m/s].
 JointVector velocity_limits(const Manipulator& robot);
 
 /// How the actuated joints go along a planned path: one stage from each stop to the next, in each of which
-/// they move smoothly. Corners are rounded where what takes their place is proved, others are stops. Through
+/// they move smoothly. Corners are rounded where the rounded curve is proved, others are stops. Through
 /// a serial gate the joint that passes goes on, while the pose turns back.
 class JointStages {
  public:
   using Stages = std::vector<std::vector<JointVector>>;
 
-  /// Looks which corners can be rounded, by blends that begin at most this share of a segment before them; 0
+  /// Finds which corners can be rounded, by blends that begin at most this share of a segment before them; 0
   /// for none. The certifier and the path must outlive it.
   JointStages(const SegmentCertifier& certifier, const PlannedPath& path, PoseBetween between, double share);
 

@@ -26,7 +26,7 @@ class Attempt {
     limits_ = {allowed_speed * velocity_limits(*certifier.manipulator()), acceleration};
   }
 
-  /// Whether it is proved, and not for the samples much slower than it could be.
+  /// Whether it is proved, and has enough samples to be nearly as fast as possible.
   bool run(const JointStages& stages, std::size_t samples) {
     timed_ = {};
     timed_.rounded = stages.rounded();
@@ -41,7 +41,7 @@ class Attempt {
   bool is_safe() const noexcept { return timed_.check.answer == TrajectoryAnswer::safe; }
 
  private:
-  /// How much time is lost for want of samples [s].
+  /// How much time is lost since there are too few samples [s].
   double append(const JointStages::Stages& stages) {
     double lost = 0.0;
     keeps_limits_ = true;

@@ -168,7 +168,7 @@ class Stretch {
   double length_;
 };
 
-/// By the velocity limits alone.
+/// The bound by the velocity limits alone.
 double highest_at(const JointVector& slope, const JointVector& velocity) {
   double highest = infinite;
   for (Eigen::Index j = 0; j < slope.size(); ++j) {

@@ -30,8 +30,8 @@ struct JointCurve {
 double chord(const JointVector& from, const JointVector& to, const JointVector& velocity_limits);
 
 /// The cubic spline through values, at least one. Its parameter is the sum of chords. So it is regular
-/// wherever the joints move, at a serial singularity too, where the pose is not. Values that are too near to
-/// the one before to tell a direction are left out, not the first and last.
+/// wherever the joints move, at a serial singularity too, where the pose is not. Values that are so near to
+/// the one before that they give no direction are left out, but never the first and last.
 JointCurve spline_through(const std::vector<JointVector>& values, const JointVector& velocity_limits);
 
 /// The squared speeds of the parameter at the knots of a curve [1/s^2 over the parameter's] with which it is
