@@ -71,7 +71,7 @@ Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd start,
                             const std::vector<bool>& held);
 
 /// Up to `wanted` configurations that close the loops, from zero and from seeded random ones, `starts` in
-/// all: for those who ask of many mechanisms whether they close.
+/// all: for callers that examine of many mechanisms whether they close.
 std::vector<Eigen::VectorXd> closed_configurations(const ClosureSystem& system, int starts,
                                                    std::size_t wanted);
 

@@ -14,8 +14,8 @@
 
 namespace parallel_aspects {
 
-/// That an open tree is a serial arm, one chain on its root with any frames and fingers on it, and so has no
-/// loop; nothing of other trees.
+/// The message that an open tree is a serial arm, one chain on its root with any frames and fingers on it,
+/// and so has no loop; nothing for other trees.
 std::optional<std::string> serial_arm_text(const Tree& tree, const std::string& urdf_name);
 
 /// What keeps the ends of a mechanism from its loops: faults, what to write against each, and how the base,

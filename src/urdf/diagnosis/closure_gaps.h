@@ -21,16 +21,16 @@ namespace parallel_aspects {
 /// Whether the loop of a closure goes through the base, as those of parallelograms in a leg do not.
 bool passes_base(const Tree& tree, std::size_t base, const Closure& closure);
 
-/// The same closures with the origins of their ends together, and given by these, where any are apart while
-/// all joints are zero. An end is a link that is there for a closure alone: without children, and the first
-/// of the two fixed to what carries it.
+/// The same closures with the origins of their ends together, and given by these; nothing where none are
+/// apart while all joints are zero. An end is a link that exists for a closure alone: it has no children, and
+/// the first of the two is fixed to what carries it.
 std::optional<ResolvedConfig> with_ends_together(const Tree& tree, const ResolvedConfig& resolved);
 
 /// The closures as a YAML can list them: given in their frames, with ends together.
 ResolvedConfig as_listed(const Tree& tree, ResolvedConfig resolved);
 
 /// The same where the ends of all loops through the base are apart while all joints are zero: then the robot
-/// is drawn open, and ends that are there for a closure alone are to meet. Nothing where any meet.
+/// is drawn open, and ends that exist for a closure alone are to meet. Nothing where any meet.
 std::optional<ResolvedConfig> drawn_open(const Tree& tree, const ResolvedConfig& resolved,
                                          const SourceNames& files);
 
@@ -42,17 +42,18 @@ std::vector<Closure> with_known_types(const std::shared_ptr<const Tree>& tree, c
 /// where one follows from the other.
 std::vector<std::optional<double>> gaps_at_zero(const Tree& tree, const std::vector<Closure>& closures);
 
-/// Closures that are given by a place in their second link, and hold by it a link that is there for them
-/// alone beside its origin.
+/// Closures that are given by a place in their second link, and hold by it a link beside its origin, though
+/// that link exists for them alone.
 std::vector<std::size_t> held_beside_ends(const Tree& tree, const ResolvedConfig& resolved);
 
-/// What is no gap, but rounding [m].
+/// The largest gap that counts as rounding [m].
 double meeting_tolerance(const Tree& tree, const ResolvedConfig& resolved);
 
-/// Whether all closures are welds, which turn at one end or the other: of these is asked elsewhere.
+/// Whether all closures are welds, which turn at one end or the other; the question about these is asked
+/// elsewhere.
 bool are_all_welds(const std::vector<Closure>& closures);
 
-/// Which changes of a description may be what it needs, as far as the ends of its closures tell.
+/// Judges by the ends of closures which changes of a description may be what it needs.
 class EndGaps {
  public:
   EndGaps(const Tree& tree, const ResolvedConfig& resolved);

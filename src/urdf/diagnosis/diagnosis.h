@@ -14,9 +14,9 @@
 
 namespace parallel_aspects {
 
-/// Why a description is refused, in one message with a remedy that was tried and works; nothing where none
-/// of those that are known does: another operational point, axes that do not fit. And that a mechanism of
-/// one degree of freedom is none of the robots that are treated.
+/// Why a description is refused, in one message with a remedy that was tried and works; nothing where no
+/// known remedy works. A mechanism of one degree of freedom is reported as none of the robots that are
+/// treated.
 std::optional<Diagnosis> diagnosis_of(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
                                       const SourceNames& files, const Attempt& attempt);
 

@@ -9,12 +9,12 @@
 
 namespace parallel_aspects {
 
-/// Closures of a robot that loads whose ends are exchanged, as their names say, or the places of their ends
-/// while all joints are zero; with the list for the YAML that has them in order.
+/// Of a robot that loads: closures whose ends are exchanged, judging by their names or by the places of the
+/// ends while all joints are zero; with the list for the YAML that has them in order.
 Notes crossed_ends_notes(const Subject& subject, const Attempt& attempt);
 
-/// Of closures that hold a link that is there for them alone beside its origin, by a place in the other link:
-/// the place where that origin is while all joints are zero.
+/// For closures that hold a link beside its origin, by a place in the other link, though that link exists for
+/// the closure alone: the place where its origin is while all joints are zero.
 Edits end_place_edits(const Subject& subject);
 
 /// Changes of origins of joints in loops whose ends are apart while all joints are zero.
@@ -24,17 +24,18 @@ Edits place_edits(const Subject& subject);
 /// joints are zero, or where those of others meet.
 Edits edits_of_apart_ends(const Subject& subject);
 
-/// Changes of the origin of one joint that put together, while all joints are zero, all ends of closures: a
-/// few of those that make a robot, as "write xyz=\"1 0 0\" in the origin of joint 'a', or write ..."; empty
-/// where none does.
+/// Changes of the origin of one joint that join all ends of closures while all joints are zero: a few of
+/// those that make a robot, as "write xyz=\"1 0 0\" in the origin of joint 'a', or write ..."; empty where
+/// none does.
 std::string remedies_of_places(const Subject& subject, const Attempt& attempt);
 
 /// Of a robot that loads: edits of it that load, too, one for each element; "FAULT; CONDITION, REMEDY.".
 Notes notes_of_working(const Subject& subject, const Edits& edits, const std::string& condition,
                        const Attempt& attempt);
 
-/// Of a robot that loads: ends of closures in a list that are apart while all joints are zero, and those of
-/// most others together; or all of several, which the origin of one joint puts together.
+/// Of a robot that loads: ends of closures in a list that are apart while all joints are zero, though those
+/// of most others are together; or the ends of several closures, all apart, which the origin of one joint
+/// joins.
 Notes misplaced_ends_notes(const Subject& subject, const Attempt& attempt);
 
 }  // namespace parallel_aspects
