@@ -16,7 +16,7 @@
 
 namespace parallel_aspects {
 
-/// Of a singularity that is passed.
+/// The fields of a singularity that is passed.
 template <class Visit>
 void describe(Visit& visit, const TrajectoryCrossing& crossing) {
   visit({"kind", "", "which"}, crossing.kind);
@@ -27,7 +27,7 @@ void describe(Visit& visit, const TrajectoryCrossing& crossing) {
   visit({"determinant_sign", "", "that it goes on with"}, crossing.determinant_sign);
 }
 
-/// Of an index.
+/// The fields of an index.
 template <class Visit>
 void describe(Visit& visit, const SampledLeast& least) {
   visit({"value", "", "the least of the samples"}, least.value);

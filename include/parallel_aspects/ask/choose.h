@@ -32,7 +32,7 @@ void describe(Visit& visit, const TrajectoryViolation& violation) {
   visit({"before", "s", "proved to be violated here or earlier"}, violation.before);
 }
 
-/// Of a clearance.
+/// The fields of a clearance.
 template <class Visit>
 void describe(Visit& visit, const PathClearance& clearance) {
   visit({"proved", "m", "no singularity is nearer to any pose of the path"}, clearance.lower);
@@ -43,7 +43,7 @@ void describe(Visit& visit, const PathClearance& clearance) {
   visit({"measures", "", "poses that were measured"}, static_cast<int>(clearance.measures));
 }
 
-/// Of a working mode on a path.
+/// The fields of a working mode on a path.
 template <class Visit>
 void describe(Visit& visit, const ModeOnPath& mode) {
   const TrajectoryCheck& check = mode.check;
@@ -70,7 +70,7 @@ void describe(Visit& visit, const ModeOnPath& mode) {
         ask::only_if(is_safe, mode.least_time));
 }
 
-/// Of a working mode in a region.
+/// The fields of a working mode in a region.
 template <class Visit>
 void describe(Visit& visit, const ModeInRegion& mode) {
   visit({"working_mode", "", "signs of B_jj"}, mode.mode);
@@ -85,7 +85,7 @@ void describe(Visit& visit, const ModeInRegion& mode) {
   visit({"undecided", "", "the share that is not proved"}, mode.undecided);
 }
 
-/// Of a piece of a path.
+/// The fields of a piece of a path.
 template <class Visit>
 void describe(Visit& visit, const PathPiece& piece) {
   visit({"working_mode", "", "in which it is done"}, piece.mode);
@@ -93,7 +93,7 @@ void describe(Visit& visit, const PathPiece& piece) {
   visit({"end", "s", "where it ends"}, piece.end);
 }
 
-/// Of a change of posture.
+/// The fields of a change of posture.
 template <class Visit>
 void describe(Visit& visit, const PostureChange& change) {
   visit({"time", "s", "where the path is left and gone on with"}, change.time);
@@ -105,7 +105,7 @@ void describe(Visit& visit, const PostureChange& change) {
   visit({"detour", "m", "there and back"}, change.detour);
 }
 
-/// Of a path with changes of posture.
+/// The fields of a path with changes of posture.
 template <class Visit>
 void describe(Visit& visit, const ChangingPath& path) {
   visit({"answer", "", "`yes`, `no` or `unknown`"}, path.answer);

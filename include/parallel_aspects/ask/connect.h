@@ -29,7 +29,7 @@ inline const char* name(LocationStatus status) {
                                                : "not mapped";
 }
 
-/// Of a range of an index.
+/// The fields of a range of an index.
 template <class Visit>
 void describe(Visit& visit, const IndexRange& range) {
   visit({"lower", "", "proved"}, range.lower);
@@ -99,7 +99,7 @@ void describe(Visit& visit, const LocatedConfiguration& answer) {
         answer.component ? std::make_optional(static_cast<int>(*answer.component) + 1) : std::nullopt);
 }
 
-/// Where they are.
+/// The answer: configurations, and the aspects that hold them.
 struct LocateAnswer {
   TaskSpace task_space = TaskSpace::T2;              ///< of the robot
   DirectStatus status = DirectStatus::solved;        ///< of joint values, as of `direct`

@@ -19,7 +19,7 @@ namespace parallel_aspects {
 inline constexpr std::array<PathPolicy, 3> choices(PathPolicy /*tag*/) {
   return {PathPolicy::stay, PathPolicy::serial, PathPolicy::any};
 }
-/// Likewise.
+/// All values, likewise.
 inline constexpr std::array<PathPreference, 4> choices(PathPreference /*tag*/) {
   return {PathPreference::shortest, PathPreference::clear, PathPreference::fast, PathPreference::quick};
 }

@@ -49,7 +49,7 @@ struct LegIndex {
   std::size_t index = 0;  ///< in the order of the legs
 };
 
-/// That one, or none.
+/// The index of that leg, or none.
 inline std::optional<LegIndex> leg_or_none(const std::optional<std::size_t>& leg) {
   return leg ? std::make_optional(LegIndex{*leg}) : std::nullopt;
 }
@@ -77,7 +77,7 @@ std::optional<Choice> choice_named(const std::string& text, std::string& names) 
   return std::nullopt;
 }
 
-/// Of det A.
+/// The sign of det A.
 enum class Sign { plus, minus };
 /// All values, for whoever reads one by its name.
 inline constexpr std::array<Sign, 2> choices(Sign /*tag*/) { return {Sign::plus, Sign::minus}; }

@@ -21,7 +21,7 @@ namespace parallel_aspects::ask {
 /// fields.
 struct DescribeQuestion {};
 
-/// None.
+/// The question has no fields.
 template <class Visit>
 void describe(Visit& /*visit*/, DescribeQuestion& /*question*/) {}
 
@@ -189,21 +189,21 @@ void describe(Visit& visit, const JointLimits& limits) {
   visit({"upper", "rad or m", "upper end, likewise"}, limits.upper);
 }
 
-/// Of a length that designs may vary.
+/// The fields of a length that designs may vary.
 template <class Visit>
 void describe(Visit& visit, const DesignParameter& parameter) {
   visit({"value", "m", "of this robot"}, parameter.value);
   visit({"tied", "", "names of those that follow"}, parameter.tied);
 }
 
-/// Of a configuration.
+/// The fields of a configuration.
 template <class Visit>
 void describe(Visit& visit, const AssembledConfiguration& configuration) {
   visit({"pose", "", "of the platform"}, configuration.pose);
   visit({"joints", "rad or m", "values of the actuated joints"}, configuration.q);
 }
 
-/// Of a crank and its rod.
+/// The fields of a crank and its rod.
 template <class Visit>
 void describe_actuation(Visit& visit, const Leg& leg, const RevoluteActuation& actuation) {
   visit({"center", "m", "of the circle of the crank's end"}, ask::components(actuation.center));
@@ -214,7 +214,7 @@ void describe_actuation(Visit& visit, const Leg& leg, const RevoluteActuation& a
   visit({"rod_length", "m", ""}, leg.rod_length);
 }
 
-/// Of a rail and the rod on its slide.
+/// The fields of a rail and the rod on its slide.
 template <class Visit>
 void describe_actuation(Visit& visit, const Leg& leg, const PrismaticActuation& actuation) {
   visit({"origin", "m", "of the slide where the joint is at 0"}, ask::components(actuation.origin));
@@ -222,7 +222,7 @@ void describe_actuation(Visit& visit, const Leg& leg, const PrismaticActuation& 
   visit({"rod_length", "m", ""}, leg.rod_length);
 }
 
-/// Of a strut.
+/// The fields of a strut.
 template <class Visit>
 void describe_actuation(Visit& visit, const Leg& /*leg*/, const StrutActuation& actuation) {
   visit({"base", "m", "where it begins"}, ask::components(actuation.base));
@@ -230,7 +230,7 @@ void describe_actuation(Visit& visit, const Leg& /*leg*/, const StrutActuation& 
   visit({"sense", "", "1 where it becomes longer with the joint value, else -1"}, actuation.sense);
 }
 
-/// Of two links with an actuated elbow.
+/// The fields of two links with an actuated elbow.
 template <class Visit>
 void describe_actuation(Visit& visit, const Leg& /*leg*/, const ElbowActuation& actuation) {
   visit({"base", "m", "where it begins"}, ask::components(actuation.base));
@@ -240,7 +240,7 @@ void describe_actuation(Visit& visit, const Leg& /*leg*/, const ElbowActuation& 
   visit({"sense", "", "of the joint"}, actuation.sense);
 }
 
-/// Of a leg.
+/// The fields of a leg.
 template <class Visit>
 void describe(Visit& visit, const Leg& leg) {
   visit({"name", "", ""}, leg.name);

@@ -31,7 +31,7 @@ struct Control {
   std::function<void(const std::string& sentence)> note;         ///< what does not keep it from an answer
   const std::atomic<bool>* cancelled = nullptr;                  ///< polled
 
-  MapControl begin(const char* step) const;  ///< of one step, of which it tells that it begins
+  MapControl begin(const char* step) const;  ///< for one step, whose beginning it reports
   bool is_over() const noexcept {            ///< whether it is cancelled
     return is_cancelled(MapControl{{}, cancelled});
   }
@@ -40,7 +40,7 @@ struct Control {
 /// What came of a question.
 template <class Answer>
 struct Outcome {
-  MapStatus status = MapStatus::complete;  ///< of no other the answer is of meaning
+  MapStatus status = MapStatus::complete;  ///< the answer means something only if complete
   ProblemList problems{};                  ///< why it is refused
   Answer answer{};                         ///< where there is one
 
@@ -93,7 +93,7 @@ void describe(Visit& visit, MapSource& map, const std::string& held = "slice") {
   visit({"load", "FILE", "Take the map from this file if it is of this robot and these options"}, map.load);
   visit({"save", "FILE", "Write the map to this file, with its gates, for {load}"}, map.save);
 }
-/// Likewise.
+/// The fields of the source of a roadmap.
 template <class Visit>
 void describe(Visit& visit, RoadmapSource& roadmap) {
   visit({"samples", "N", "With six degrees of freedom: poses of the roadmap, by default 1000"},

@@ -253,7 +253,7 @@ void describe(Visit& visit, const Cusp& cusp) {
   visit({"component", "", "whose paths can go around it, not proved; 0 where not known"}, cusp.aspect);
 }
 
-/// Of a node.
+/// The fields of a node.
 template <class Visit>
 void describe(Visit& visit, const SolutionNode& node) {
   visit({"actuated", "m", "of all actuated joints, in their order"}, node.actuated);
@@ -262,7 +262,7 @@ void describe(Visit& visit, const SolutionNode& node) {
   visit({"accuracy", "rad", "as of `cusps`"}, node.accuracy);
 }
 
-/// Of a curve of cusps.
+/// The fields of a curve of cusps.
 template <class Visit>
 void describe(Visit& visit, const CuspCurve& curve) {
   visit({"proved", "", "true of all of it"}, true);
@@ -287,14 +287,14 @@ void describe(Visit& visit, const CuspCount& count) {
   visit({"cusps", "", "of each slice between these"}, count.cusps);
 }
 
-/// Of a solution.
+/// The fields of a solution.
 template <class Visit>
 void describe(Visit& visit, const ProvedSolution& solution) {
   visit({"pose", "", "near the solution"}, solution.pose);
   visit({"radius", "m", "of the ball about it that holds exactly one"}, solution.radius);
 }
 
-/// Of a change of the assembly mode.
+/// The fields of a change of the assembly mode.
 template <class Visit>
 void describe(Visit& visit, const AssemblyChange& change) {
   visit({"actuated", "m or rad", "values of both"}, change.actuated);
@@ -304,7 +304,7 @@ void describe(Visit& visit, const AssemblyChange& change) {
   visit({"proved", "", "true"}, true);
 }
 
-/// Of a component of a roadmap.
+/// The fields of a component of a roadmap.
 template <class Visit>
 void describe(Visit& visit, const ComponentSurvey& component) {
   visit({"working_mode", "", "signs of B_jj"}, component.mode);
@@ -318,7 +318,7 @@ void describe(Visit& visit, const ComponentSurvey& component) {
   visit({"assembly_change", "", "a proof that its aspect is no uniqueness domain"}, component.change);
 }
 
-/// Of all poses, or of a slice.
+/// The fields of the answer for all poses, or for a slice.
 template <class Visit>
 void describe(Visit& visit, const Uniqueness& uniqueness) {
   const AspectMap* const map = uniqueness.map.get();

@@ -51,11 +51,11 @@ using LengthRanges = std::array<Interval, 3>;
 /// Whether all these lengths lie in a box of all three.
 bool holds_all(const Box& box, const LengthRanges& lengths) noexcept;
 
-/// What of lengths is in pieces.
+/// The pieces that hold ranges of lengths.
 struct LengthCover {
-  bool is_complete = false;           ///< whether all of them are
-  std::vector<PieceIndex> pieces;     ///< which; after the third it is not looked for more, nor in many cells
-  std::optional<std::uint32_t> cell;  ///< the only one that they may be in
+  bool is_complete = false;           ///< whether these hold all of the ranges
+  std::vector<PieceIndex> pieces;     ///< the search ends with the third, or after 64 cells
+  std::optional<std::uint32_t> cell;  ///< the cell, if the ranges can be in one only
 };
 
 /// The plane of both actuated values of a slice, or the space of all three of a family of them, divided into
