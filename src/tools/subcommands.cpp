@@ -5,6 +5,8 @@
 #include "tools/report/report.h"
 #include "urdf/description/nearest_name.h"
 
+#include <boost/program_options.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -13,8 +15,16 @@
 namespace parallel_aspects::tools {
 namespace {
 
-constexpr const char* given_twice = ": it is given twice; give it once";
-constexpr const char *options_end = "--", *short_output = "-o", *long_output = "--output";
+namespace po = boost::program_options;
+namespace style = po::command_line_style;
+
+constexpr std::size_t dashes = 2;  // before a name
+constexpr const char *given_twice = ": it is given twice; give it once",
+                     *empty_value = ": it is empty; give a value, or leave the option out",
+                     *no_value = ": its value is missing",
+                     *takes_no_value = ": it takes no value; leave it out",
+                     *no_such_option = ": there is no such option";
+const std::string options_end = "--", short_output = "-o", long_output = "--output";
 
 /// Options of different subcommands for one thing.
 const std::array<std::vector<std::string>, 6>& same_options() {
@@ -40,27 +50,41 @@ bool holds_signs(const std::string& word) {
   return !word.empty() && word.find_first_not_of("+-(), ") == std::string::npos;
 }
 
-bool is_called(const Option& option, const std::string& name) {
-  return option.name == name || (option.name == short_output && name == long_output);
+std::string name_of(const Option& option) {
+  return (option.name == short_output ? long_output : option.name).substr(dashes);
 }
 
-class Parser {
+po::options_description described(const Subcommand& subcommand) {
+  po::options_description options;
+  options.add_options()("help", "");
+  for (const Option& option : subcommand.options)
+    if (is_named(option.name)) options.add_options()(name_of(option).c_str(), po::value<std::string>(), "");
+  for (const Flag& flag : subcommand.flags) options.add_options()(flag.name.substr(dashes).c_str(), "");
+  return options;
+}
+
+/// Puts what Boost.Program_options understood into the values and flags of a subcommand. Where a list goes on
+/// over several words, as Boost has them for options alone that stand behind all others, is decided here.
+class Filling {
  public:
-  Parser(const Subcommand& subcommand, const std::vector<std::string>& arguments)
-      : subcommand_(subcommand), arguments_(arguments), given_(subcommand.options.size(), false) {}
+  explicit Filling(const Subcommand& subcommand)
+      : subcommand_(subcommand), given_(subcommand.options.size(), false) {}
 
   /// False where help is asked for.
-  bool run() {
-    while (next_ < arguments_.size()) {
-      const std::string& argument = arguments_[next_++];
-      if (only_positional_ || !is_named(argument))
-        take_positional(argument);
-      else if (asks_for_help(argument))
-        return false;
-      else if (argument == options_end)
-        only_positional_ = true;
-      else
-        take_named(argument);
+  bool run(const std::vector<std::string>& arguments) {
+    const po::options_description options = described(subcommand_);
+    const auto parsed =
+        po::command_line_parser(arguments)
+            .options(options)
+            .style(style::allow_long | style::long_allow_adjacent | style::long_allow_next)
+            .extra_style_parser([this](std::vector<std::string>& words) { return look(words); })
+            .allow_unregistered()
+            .run()
+            .options;
+    for (std::size_t i = 0; i < parsed.size(); ++i) {
+      const bool only_positional = i + behind_options_end_ >= parsed.size();
+      if (!only_positional && parsed[i].string_key == "help") return false;
+      take(parsed[i], only_positional);
     }
     for (std::size_t i = 0; i < given_.size(); ++i)
       if (subcommand_.options[i].required && !given_[i])
@@ -68,60 +92,83 @@ class Parser {
     return true;
   }
 
- private:
-  void take_named(const std::string& argument) {
-    const std::size_t equals = argument.find('=');
-    const std::string name = argument.substr(0, equals);
-    for (std::size_t i = 0; i < given_.size(); ++i)
-      if (is_called(subcommand_.options[i], name)) {
-        set(i, equals == std::string::npos ? next_value(name) : argument.substr(equals + 1));
-        return go_on(subcommand_.options[i]);
-      }
-    for (const Flag& flag : subcommand_.flags) {
-      if (flag.name != name) continue;
-      if (equals != std::string::npos) throw UsageError(name + ": it takes no value; leave it out");
-      if (*flag.value) throw UsageError(name + given_twice);
-      *flag.value = true;
-      return;
-    }
-    throw UsageError(name + ": there is no such option" + meant(name));
+  [[noreturn]] void refuse(const po::invalid_command_line_syntax& wrong) const {
+    const std::string name = wrong.get_option_name();
+    if (!contains(names(), name)) throw unknown(name);
+    for (const Option& option : subcommand_.options)
+      if (is_named(option.name) && name == "--" + name_of(option))
+        throw UsageError(option.name + (wrong.kind() == wrong.missing_parameter ? no_value : empty_value));
+    throw UsageError(name + takes_no_value);
   }
 
-  std::string meant(const std::string& name) const {
+ private:
+  /// The words that are left, before the first is understood: forms of names that Boost does not have.
+  std::vector<po::option> look(std::vector<std::string>& words) {
+    std::string& word = words.front();
+    if (word == options_end) behind_options_end_ = words.size() - 1;
+    if (asks_for_help(word)) {
+      word = "--help";
+      words.resize(1);  // the rest is not looked at
+    } else if ((word == short_output || word.rfind(short_output + "=", 0) == 0) &&
+               contains(names(), long_output)) {
+      word.replace(0, short_output.size(), long_output);
+    }
+    return {};
+  }
+
+  void take(const po::option& parsed, bool only_positional) {
+    const std::string& word = parsed.original_tokens.front();
+    if (!parsed.string_key.empty() && !parsed.unregistered) return take_named(parsed);
+    if (list_ != nullptr && !only_positional && !ends_list(word) && is_more_of(list_->words, word))
+      return add(*list_, ' ', word);
+    list_ = nullptr;
+    if (!only_positional && is_named(word)) throw unknown(word.substr(0, word.find('=')));
+    take_positional(word);
+  }
+
+  void take_named(const po::option& parsed) {
+    list_ = nullptr;
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+      if (!is_named(subcommand_.options[i].name) || name_of(subcommand_.options[i]) != parsed.string_key)
+        continue;
+      list_ = &subcommand_.options[i];
+      return set(i, parsed.value.front());
+    }
+    for (const Flag& flag : subcommand_.flags) {
+      if (flag.name.substr(dashes) != parsed.string_key) continue;
+      if (*flag.value) throw UsageError(flag.name + given_twice);
+      *flag.value = true;
+    }
+  }
+
+  UsageError unknown(const std::string& name) const {
     const std::vector<std::string> known = names();
     for (const std::vector<std::string>& group : same_options()) {
       if (!contains(group, name)) continue;
       for (const std::string& same : group)
-        if (contains(known, same)) return "; did you mean " + same + "?";
+        if (contains(known, same)) return UsageError(name + no_such_option + "; did you mean " + same + "?");
     }
-    return did_you_mean(name, known);
+    return UsageError(name + no_such_option + did_you_mean(name, known));
   }
 
   std::vector<std::string> names() const {
     std::vector<std::string> known{"--help"};
     for (const Option& option : subcommand_.options) {
       if (is_named(option.name)) known.push_back(option.name);
-      if (option.name == short_output) known.emplace_back(long_output);
+      if (option.name == short_output) known.push_back(long_output);
     }
     for (const Flag& flag : subcommand_.flags) known.push_back(flag.name);
     return known;
   }
 
-  void take_positional(const std::string& argument) {
+  void take_positional(const std::string& word) {
     for (std::size_t i = 0; i < given_.size(); ++i) {
       const Option& option = subcommand_.options[i];
       if (is_named(option.name)) continue;
-      if (!given_[i]) return set(i, argument);
-      if (option.words == Words::files) return add(option, '\n', argument);
+      if (!given_[i]) return set(i, word);
+      if (option.words == Words::files) return add(option, '\n', word);
     }
-    throw UsageError("'" + argument + "': there is no place for it");
-  }
-
-  /// Takes the words that the list of this option goes on with.
-  void go_on(const Option& option) {
-    while (next_ < arguments_.size() && !ends_list(arguments_[next_]) &&
-           is_more_of(option.words, arguments_[next_]))
-      add(option, ' ', arguments_[next_++]);
+    throw UsageError("'" + word + "': there is no place for it");
   }
 
   bool is_more_of(Words words, const std::string& word) const {
@@ -135,11 +182,6 @@ class Parser {
     for (std::size_t i = 0; i < given_.size(); ++i)
       if (!is_named(subcommand_.options[i].name) && !given_[i]) return false;
     return true;
-  }
-
-  const std::string& next_value(const std::string& name) {
-    if (next_ == arguments_.size()) throw UsageError(name + ": its value is missing");
-    return arguments_[next_++];
   }
 
   void set(std::size_t index, const std::string& value) {
@@ -157,20 +199,24 @@ class Parser {
 
   // A variable of a script that is not set is no value.
   static void check_given(const Option& option, const std::string& word) {
-    if (word.empty()) throw UsageError(option.name + ": it is empty; give a value, or leave the option out");
+    if (word.empty()) throw UsageError(option.name + empty_value);
   }
 
   const Subcommand& subcommand_;
-  const std::vector<std::string>& arguments_;
-  std::size_t next_ = 0;
-  bool only_positional_ = false;
-  std::vector<bool> given_;  // by option
+  std::vector<bool> given_;             // by option
+  const Option* list_ = nullptr;        // which the next word may go on with
+  std::size_t behind_options_end_ = 0;  // words
 };
 
 }  // namespace
 
 bool parse_arguments(const Subcommand& subcommand, const std::vector<std::string>& arguments) {
-  return Parser(subcommand, arguments).run();
+  Filling filling(subcommand);
+  try {
+    return filling.run(arguments);
+  } catch (const po::invalid_command_line_syntax& wrong) {
+    filling.refuse(wrong);
+  }
 }
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
