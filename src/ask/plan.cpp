@@ -41,7 +41,7 @@ void check_slice(const Manipulator& robot, const std::optional<MapSlice>& slice,
   if (!slice || !slice->joint)
     return problems.push_back(wrong(ProblemKind::together,
                                     "needs a slice that holds an actuated joint, where cusps are points",
-                                    "give {hold} with its value at the start, such as " + example));
+                                    "give {slice} with its value at the start, such as " + example));
   UniquenessOptions options;
   options.slice = slice;
   if (const std::string why = find_uniqueness_problem(robot, options); !why.empty())
@@ -165,7 +165,7 @@ class Planning {
     const std::string none = is_needed ? "in SE3 there is none" : "{samples} and {seed} ask a roadmap";
     if (question_.policy == PathPolicy::any)
       problems_.push_back({ProblemKind::robot, "policy", "{policy} any needs a map, and " + none,
-                           is_needed ? "give {policy} serial, or {hold}" : "leave {samples} and {seed} out"});
+                           is_needed ? "give {policy} serial, or {slice}" : "leave {samples} and {seed} out"});
     if (!question_.map.is_default())
       problems_.push_back({ProblemKind::robot, "load",
                            "{resolution}, {load} and {save} are for maps, and " + none, "leave them out"});

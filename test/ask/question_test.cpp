@@ -7,12 +7,12 @@ namespace parallel_aspects::ask {
 namespace {
 
 const Problem no_map{ProblemKind::robot, "policy", "{policy} any needs a map",
-                     "give {policy} serial, or {hold}"};
+                     "give {policy} serial, or {slice}"};
 
 std::string as_option(const std::string& field) { return "--" + field; }
 
 TEST(Problem, NamesItsFieldsAsEachFaceDoes) {
-  EXPECT_EQ(text_of(no_map, as_option), "--policy any needs a map; give --policy serial, or --hold.");
+  EXPECT_EQ(text_of(no_map, as_option), "--policy any needs a map; give --policy serial, or --slice.");
   EXPECT_EQ(text_of(no_map, plain_name), "policy any needs a map; give policy serial, or hold.");
 }
 

@@ -201,7 +201,7 @@ def test_paths_know_what_the_command_knows(robot):
     held = {"strut_1_joint": 14.98}
     aspects = planar.map(slice=held)
     around = aspects.plan(aspects.aspects[0].deepest_pose, around_cusp=1)
-    again = planar.plan(aspects.aspects[0].deepest_pose, hold=held, around_cusp=1)
+    again = planar.plan(aspects.aspects[0].deepest_pose, slice=held, around_cusp=1)
     for path in (around, again):
         assert path.around_cusp == 1 and path.slice["held"] == held and path.answer == around.answer
     assert around.turns_around_cusps == again.turns_around_cusps and around.poses == pytest.approx(again.poses)
@@ -328,7 +328,7 @@ BAD = {
     "around_cusp is of robots": lambda robot, aspects: robot.plan((4.5, 8), around_cusp=1),
     "goal is required": lambda robot, aspects: robot.plan((4.5, 8)),
     "samples and seed are for roadmaps": lambda robot, aspects: aspects.plan((4.5, 8), (4, 8), samples=10),
-    "hold is (1, 2)": lambda robot, aspects: robot.plan((4.5, 8), (4, 8), hold=(1, 2)),
+    "slice is (1, 2)": lambda robot, aspects: robot.plan((4.5, 8), (4, 8), slice=(1, 2)),
     "policy is 'x'": lambda robot, aspects: aspects.plan((4.5, 8), (4, 8), policy="x"),
     "no aspect 99": lambda robot, aspects: aspects.boxes(99),
     "numbers of the same link": lambda robot, aspects: robot.sweep({"crank": (6, 8, 3), "crank_1": 3}),

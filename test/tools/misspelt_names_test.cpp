@@ -24,7 +24,7 @@ TEST_F(MisspeltNames, AreAnsweredWithTheOneThatIsMeant) {
       {{"describe", "fiv_bar"}, "There is no shipped robot 'fiv_bar'; did you mean five_bar?\n"},
       {{"map", "Linear-Delta"}, "There is no shipped robot 'Linear-Delta'; did you mean linear_delta?\n"},
       {{"map", "three_rpr", "--hold", "phi=0"}, "--hold: there is no such option; did you mean --slice?"},
-      {{"plan", "three_rpr", "--slice", "phi=0"}, "--slice: there is no such option; did you mean --hold?"},
+      {{"plan", "three_rpr", "--hold", "phi=0"}, "--hold: there is no such option; did you mean --slice?"},
       {{"map", "five_bar", "--map", "a.map"}, "--map: there is no such option; did you mean --load?"},
       {{"distance", "five_bar", "--load", "a.map"}, "--load: there is no such option; did you mean --map?"},
       {{"plot", "five_bar", "--picture", "a.svg"},

@@ -114,10 +114,10 @@ void describe(Visit& visit, PlanQuestion& question) {
          "the default"},
         question.prefer);
   visit({"around_cusp", "N",
-         "In place of an end, with {hold}: around this cusp of those that `uniqueness` lists, back to the "
+         "In place of an end, with {slice}: around this cusp of those that `uniqueness` lists, back to the "
          "actuated values of the start in another assembly mode of its aspect"},
         question.around_cusp);
-  describe(visit, question.map, "hold");
+  describe(visit, question.map);
   visit({"samples", "N",
          "With six degrees of freedom, or in place of a map: poses of the roadmap, by default 1000"},
         question.roadmap.samples);
@@ -159,7 +159,7 @@ void describe(Visit& visit, const PlanAnswer& answer) {
   visit({"proved", "", "whether that is proved, which yes and no are"},
         answer.path.answer != SameAspect::unknown);
   visit({"reason", "", "why, a sentence or more"}, answer.path.message);
-  visit({"slice", "", "what {hold} holds, as of `connect`; null without it"}, answer.slice);
+  visit({"slice", "", "what {slice} holds, as of `connect`; null without it"}, answer.slice);
   visit(
       {"between_points", "",
        "how the pose runs from a point to the next, which is the curve that is proved: `phi` alone does not "
@@ -183,7 +183,7 @@ void describe(Visit& visit, const PlanAnswer& answer) {
         only_if(has_path, answer.path.least_index));
   visit({"least_det_a", "", "smallest determinant there, likewise"},
         only_if(has_path, answer.path.least_det_a));
-  visit({"moved_onto_slice", "m", "how far an end was moved onto what {hold} says; null without it"},
+  visit({"moved_onto_slice", "m", "how far an end was moved onto what {slice} says; null without it"},
         answer.moved_onto_slice);
   visit({"around_cusp", "", "the number of the cusp, where asked for; else null"}, answer.around_cusp);
   visit({"turns_around_cusps", "",

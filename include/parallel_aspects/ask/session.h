@@ -81,12 +81,12 @@ struct MapSource {
 
 /// Their fields, as all questions have them.
 template <class Visit>
-void describe(Visit& visit, MapSource& map, const std::string& held = "slice") {
+void describe(Visit& visit, MapSource& map) {
   visit({"resolution", "R",
          "Longest edge of an undecided leaf of the base map [m or rad]; by default what suits the robot"},
         map.resolution);
   visit(
-      {held, "\"z=1\"",
+      {"slice", "\"z=1\"",
        "Stay in a line, plane or volume of poses: what is held, with its value [m or rad]; the rest is free. "
        "In SE2 an actuated joint may be held, such as \"strut_1_joint=15\""},
       map.hold);

@@ -101,7 +101,7 @@ namespace {
 
 /// As the fields of a goal.
 std::string message_field(const std::string& field) {
-  if (field == "hold") return "held_names and held_values, or held_joint";
+  if (field == "slice") return "held_names and held_values, or held_joint";
   if (field == "start_mode" || field == "goal_mode")
     return field.substr(0, field.find('_')) + ".working_mode";
   return field;

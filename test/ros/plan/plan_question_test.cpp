@@ -109,11 +109,11 @@ TEST(FieldsOfQuestion, HaveTheirTwinInTheMessage) {
   FieldsOfMessages fields(ros::message_traits::Definition<PlanPathGoal>::value());
   ask::PlanQuestion question;
   describe(fields, question);
-  // A Configuration has the first ones; held_names, held_values and held_joint are `hold`; maps, roadmaps and
+  // A Configuration has the first ones; held_names, held_values and held_joint are `slice`; maps, roadmaps and
   // accelerations are those of the node's parameters.
   const std::vector<std::string> others{
       "start_mode", "start_joints", "start_aspect", "goal_mode", "goal_joints", "goal_aspect", "resolution",
-      "hold",       "load",         "save",         "samples",   "seed",        "acceleration"};
+      "slice",      "load",         "save",         "samples",   "seed",        "acceleration"};
   EXPECT_EQ(fields.missing(), others);
 }
 

@@ -41,7 +41,7 @@ TEST_F(CuspRefusals, NameTheOptionThatBoundsMore) {
         by_limits + "; leave --margin out."},
        {{"uniqueness", "three_rpr", "--margin", "parallel=0.05", "--cusps-over", "strut_1_joint"},
         by_limits + "; leave --margin out."},
-       {{"plan", "three_rpr", "--margin", "parallel=0.05", "--hold", "strut_1_joint=15", "--from", pose,
+       {{"plan", "three_rpr", "--margin", "parallel=0.05", "--slice", "strut_1_joint=15", "--from", pose,
          "--around-cusp", "1"},
         by_limits + "; leave --margin out."},
        {{"uniqueness", "three_rpr", "--constraint", "self_collision"},
@@ -51,7 +51,7 @@ TEST_F(CuspRefusals, NameTheOptionThatBoundsMore) {
        {{"uniqueness", "three_rpr", "--tolerance", "0.001", "--cusps-over", "strut_1_joint"}, exact},
        {{"uniqueness", "spherical_3rrr", "--tolerance", "0.001", "--slice", "crank_1_joint=0.3"}, exact},
        {{"uniqueness", "stewart", "--tolerance", "0.001"}, exact},
-       {{"plan", "three_rpr", "--tolerance", "0.001", "--hold", "strut_1_joint=15", "--from", pose,
+       {{"plan", "three_rpr", "--tolerance", "0.001", "--slice", "strut_1_joint=15", "--from", pose,
          "--around-cusp", "1"},
         exact}});
 }
@@ -102,13 +102,13 @@ TEST_F(CuspRefusals, SayAtOnceWhereThereAreNoCuspsToGoAround) {
        {{"plan", "stewart", "--from", "0 0 1 0 0 0 1", "--around-cusp", "1"},
         start + "'stewart' moves in SE3; leave it out."},
        {{"plan", "three_rpr", "--from", "-14.9 1.58 0.245", "--around-cusp", "1"},
-        "--around-cusp needs a slice that holds an actuated joint, where cusps are points; give --hold with "
+        "--around-cusp needs a slice that holds an actuated joint, where cusps are points; give --slice with "
         "its "
         "value at the start, such as \"strut_1_joint=19\"."},
-       {{"plan", "three_rpr", "--from", "-14.9 1.58 0.245", "--hold", "phi=0.245", "--around-cusp", "1"},
-        "--around-cusp needs a slice that holds an actuated joint, where cusps are points; give --hold with "
+       {{"plan", "three_rpr", "--from", "-14.9 1.58 0.245", "--slice", "phi=0.245", "--around-cusp", "1"},
+        "--around-cusp needs a slice that holds an actuated joint, where cusps are points; give --slice with "
         "its value at the start, such as \"strut_1_joint=19\"."},
-       {{"plan", "three_rpr", "--from", "-14.9 1.58 0.245", "--hold", "strut_1_joint=15", "--around-cusp",
+       {{"plan", "three_rpr", "--from", "-14.9 1.58 0.245", "--slice", "strut_1_joint=15", "--around-cusp",
          "0"},
         "--around-cusp is '0'; give a whole number from 1 to 10000."}});
 }

@@ -144,7 +144,7 @@ TEST_F(PlanCommand, KeepsAMarginThatIsAskedFor) {
 
 TEST_F(PlanCommand, HoldsAnActuatedJoint) {
   const json path =
-      run_json({"plan", "three_rpr", "--hold", "strut_1_joint=14.98", "--from",
+      run_json({"plan", "three_rpr", "--slice", "strut_1_joint=14.98", "--from",
                 "14.67394366 -3.01260312 2.13290437", "--to", "-5.49566082 -13.93549828 -0.04733137"});
   EXPECT_EQ(path.at("answer"), "yes");
   for (const json& point : path.at("path")) EXPECT_NEAR(point.at("actuated")[0].get<double>(), 14.98, 1e-9);
@@ -325,7 +325,7 @@ TEST_F(PlanCommand, AsksForAnEndAndRefusesTwo) {
 
 TEST_F(PlanCommand, NamesTheNearestPoseOfTheSlice) {
   const Outcome outcome =
-      run({"plan", "delta", "--hold", "z=-0.6", "--from", "0 0 -0.7", "--to", "0.1 0 -0.6"});
+      run({"plan", "delta", "--slice", "z=-0.6", "--from", "0 0 -0.7", "--to", "0.1 0 -0.6"});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
   EXPECT_NE(outcome.messages.find("--from lies 0.1 m from the slice"), std::string::npos) << outcome.messages;
   EXPECT_NE(outcome.messages.find("The nearest in the task frame is \"0 0 -0.6\"."), std::string::npos)
@@ -333,7 +333,7 @@ TEST_F(PlanCommand, NamesTheNearestPoseOfTheSlice) {
 }
 
 TEST_F(PlanCommand, BeginsOnTheSliceNextToAPoseOfATable) {
-  const Outcome outcome = run({"plan", "three_rpr", "--hold", "strut_1_joint=15", "--no-constraint", "all",
+  const Outcome outcome = run({"plan", "three_rpr", "--slice", "strut_1_joint=15", "--no-constraint", "all",
                                "--from", "-14.916 1.58508 0.24531", "--around-cusp", "3"});
   EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages;
   EXPECT_NE(outcome.output.find("the start is moved onto the slice, by at most 1.55131e-05 m: "),
@@ -352,7 +352,7 @@ std::string quoted_behind(const std::string& words, const std::string& text) {
 }
 
 TEST_F(PlanCommand, NamesAStartInTheComponentOfACusp) {
-  const std::vector<const char*> question{"plan",          "three_rrr", "--hold", "crank_1_joint=0.3",
+  const std::vector<const char*> question{"plan",          "three_rrr", "--slice", "crank_1_joint=0.3",
                                           "--around-cusp", "6"};
   std::vector<const char*> again = question, other = question;
   other.insert(other.end(), {"--from-aspect", "2"});
@@ -382,7 +382,7 @@ TEST_F(PlanCommand, TellsWhereControlIsLost) {
 
 TEST_F(PlanCommand, SaysWhatNoiseAPathAroundACuspIsFollowedWith) {
   const std::vector<const char*> hold{
-      "plan", "three_rpr", "--hold", "strut_1_joint=14.98", "--from", "-8.72659533 12.17566975 -0.98697424"};
+      "plan", "three_rpr", "--slice", "strut_1_joint=14.98", "--from", "-8.72659533 12.17566975 -0.98697424"};
   std::vector<const char*> around = hold, straight = hold;
   around.insert(around.end(), {"--around-cusp", "2"});
   straight.insert(straight.end(), {"--to", "-8.72659533 12.17566975 -0.98697424"});
