@@ -3,11 +3,11 @@
 
 #include "ask/question_parts.h"
 #include "aspects/map/empty_map.h"
-#include "aspects/pictures/palette.h"
 #include "model/task_space_traits.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/singularity/indices.h"
 
+#include "draw/plane/palette.h"
 #include <utility>
 
 namespace parallel_aspects::ask {

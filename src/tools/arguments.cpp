@@ -2,8 +2,8 @@
 #include "tools/arguments.h"
 
 #include "ask/question_parts.h"
-#include "aspects/pictures/map_pictures.h"
 #include "aspects/tree/held_joint_example.h"
+#include "aspects/tree/rotation_slice.h"
 #include "model/message_text.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"

@@ -122,7 +122,7 @@ void check_svg_file(const std::string& option, const std::string& file, Problems
     problems.push_back(option + " is '" + file + "', which does not end with .svg; give a name that does.");
 }
 
-void write_picture_file(const std::string& file, const Picture& picture) {
+void write_picture_file(const std::string& file, const PagePicture& picture) {
   write_output_file("Picture", file,
                     ending_of(file) == ".png" ? as_png(picture, png_scale) : as_svg(picture));
 }

@@ -3,9 +3,9 @@
 #define PARALLEL_ASPECTS_TOOLS_OUTPUT_FILE_H
 
 #include "parallel_aspects/model/problems.h"
-#include "tools/drawing/page_elements.h"
 #include "tools/subcommands.h"
 
+#include "draw/page/page_elements.h"
 #include <string>
 
 namespace parallel_aspects::tools {
@@ -32,7 +32,7 @@ void check_svg_file(const std::string& option, const std::string& file, Problems
 
 /// Replaces the file by the picture, as SVG or PNG as its name ends. Throws `InvalidDescription` where it
 /// cannot.
-void write_picture_file(const std::string& file, const Picture& picture);
+void write_picture_file(const std::string& file, const PagePicture& picture);
 
 }  // namespace parallel_aspects::tools
 

@@ -47,8 +47,6 @@ inline const Strings rooms{"model",
                            "aspects/roadmap",
                            "aspects/file",
                            "aspects/shards",
-                           "aspects/pictures",
-                           "aspects/surface",
                            "distance",
                            "tracking",
                            "motion",
@@ -67,6 +65,9 @@ inline const Strings rooms{"model",
                            "urdf/diagnosis",
                            "urdf",
                            "urdf/setup",
+                           "draw/plane",
+                           "draw/surface",
+                           "draw/page",
                            "ask",
                            "tools/report",
                            "tools/robot_report",
@@ -113,19 +114,21 @@ inline const Strings& libraries(const std::string& layer) {
   static const Strings eigen{"Eigen/"};
   static const Strings aspects{"Eigen/", "tbb/", "zlib.h", "fcntl.h", "sys/stat.h", "unistd.h"};
   static const Strings distance{"Eigen/", "tbb/"};
+  static const Strings draw{"Eigen/", "tbb/", "cairo.h"};
   static const Strings urdf{"Eigen/",          "boost/locale/",   "urdf_parser/", "urdf_model/",
                             "urdf_world/",     "urdf_exception/", "yaml-cpp/",    "tinyxml2.h",
                             "console_bridge/", "dlfcn.h"};
   static const Strings mjcf{"Eigen/", "mujoco/", "tinyxml2.h"};
   static const Strings sdf{"Eigen/", "sdf/"};
   static const Strings mpi{"mpi.h", "nlohmann/", "sys/resource.h", "unistd.h"};
-  static const Strings tools{"Eigen/",     "boost/",   "cairo.h",   "fcntl.h", "nlohmann/",
+  static const Strings tools{"Eigen/",     "boost/",   "fcntl.h",   "nlohmann/",
                              "sys/file.h", "unistd.h", "yaml-cpp/", "zlib.h"};
   static const Strings ompl{"Eigen/", "ompl/"};
   static const Strings python{"Eigen/", "nlohmann/", "pybind11/"};
   return layer == "aspects"    ? aspects
          : layer == "distance" ? distance
          : layer == "urdf"     ? urdf
+         : layer == "draw"     ? draw
          : layer == "tools"    ? tools
          : layer == "mjcf"     ? mjcf
          : layer == "sdf"      ? sdf

@@ -57,7 +57,7 @@ class NearestForeignLeaf {
   // `first` and those after it.
   template <class Look>
   void look_around(std::size_t first, const Look& look) {
-    if (first == map_.tree.dimension()) return look();
+    if (first >= std::min(map_.tree.dimension(), max_map_dimension)) return look();
     look_around(first + 1, look);
     if (!map_.tree.space().is_periodic(first)) return;
     const double here = position_.point[first], period = map_.tree.region().width(first);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/domain_picture.h"
 
-#include "aspects/surface/aspect_surface.h"
 #include "ros/pictures/marker_batch.h"
 #include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture_parts.h"
 
+#include "draw/surface/aspect_surface.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -2,7 +2,6 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_MAP_PICTURE_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_MAP_PICTURE_H
 
-#include "aspects/pictures/map_pictures.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/parameters/node_options.h"
@@ -12,6 +11,7 @@
 
 #include <Eigen/Geometry>
 
+#include "draw/plane/map_pictures.h"
 #include <cstddef>
 #include <memory>
 #include <optional>

@@ -2,8 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_MARKER_COLORS_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_MARKER_COLORS_H
 
-#include "aspects/pictures/palette.h"
-
+#include "draw/plane/palette.h"
 #include <cstddef>
 #include <std_msgs/ColorRGBA.h>
 #include <vector>

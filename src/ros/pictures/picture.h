@@ -2,10 +2,10 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_H
 
-#include "aspects/pictures/map_pictures.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/messages/conversions.h"
 
+#include "draw/plane/map_pictures.h"
 #include <geometry_msgs/TransformStamped.h>
 #include <optional>
 #include <string>

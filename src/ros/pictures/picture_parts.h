@@ -2,10 +2,10 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_PARTS_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_PARTS_H
 
-#include "aspects/pictures/map_pictures.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "ros/pictures/marker_batch.h"
 
+#include "draw/plane/map_pictures.h"
 #include <functional>
 #include <geometry_msgs/TransformStamped.h>
 #include <string>

@@ -2,13 +2,13 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_SLICE_PICTURE_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_SLICE_PICTURE_H
 
-#include "aspects/pictures/map_pictures.h"
 #include "ros/parameters/node_options.h"
 #include "ros/pictures/marker_batch.h"
 #include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture.h"
 #include "ros/pictures/scene.h"
 
+#include "draw/plane/map_pictures.h"
 #include <memory>
 #include <set>
 #include <vector>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/programs/rviz_view.h"
 
-#include "aspects/pictures/map_pictures.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "ros/pictures/domain_picture.h"
 #include "ros/pictures/map_picture.h"
@@ -9,6 +8,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "draw/plane/map_pictures.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/joint_painter.h"
 
-#include "aspects/pictures/map_pictures.h"
 #include "model/message_text.h"
 
 #include <Eigen/Geometry>
 
+#include "draw/plane/map_pictures.h"
 #include <algorithm>
 #include <map>
 #include <set>

@@ -2,15 +2,15 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_PAINTED_PARTS_H
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_PAINTED_PARTS_H
 
-#include "aspects/pictures/map_pictures.h"
-#include "aspects/pictures/palette.h"
-#include "aspects/surface/joint_surface.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <Eigen/Core>
 
+#include "draw/plane/map_pictures.h"
+#include "draw/plane/palette.h"
+#include "draw/surface/joint_surface.h"
 #include <array>
 #include <cstdint>
 #include <map>

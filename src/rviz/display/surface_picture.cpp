@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/surface_picture.h"
 
-#include "aspects/pictures/palette.h"
 #include "ros/pictures/scene.h"
 #include "rviz/display/joint_painter.h"
 #include "rviz/display/workspace_painter.h"
 
+#include "draw/plane/palette.h"
 #include <algorithm>
 #include <cmath>
 #include <iterator>

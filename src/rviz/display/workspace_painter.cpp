@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/workspace_painter.h"
 
-#include "aspects/pictures/map_pictures.h"
 #include "ros/labels/placed_labels.h"
 
 #include <Eigen/Geometry>
 
+#include "draw/plane/map_pictures.h"
 #include <algorithm>
 #include <limits>
 #include <string>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/plot.h"
 
-#include "aspects/pictures/map_pictures.h"
 #include "model/angles.h"
-#include "tools/drawing/page.h"
-#include "tools/drawing/solid_view.h"
 #include "tools/report/reports.h"
 
+#include "draw/page/page.h"
+#include "draw/page/solid_view.h"
+#include "draw/plane/map_pictures.h"
 #include <algorithm>
 #include <set>
 #include <string>
@@ -232,8 +232,8 @@ std::vector<LegendEntry> legend(const std::set<BoundaryKind>& kinds, const PlotO
 
 }  // namespace
 
-Picture draw_plot(const std::shared_ptr<const AspectMap>& map, const PlotOptions& options,
-                  const std::function<void()>& checkpoint) {
+PagePicture draw_plot(const std::shared_ptr<const AspectMap>& map, const PlotOptions& options,
+                      const std::function<void()>& checkpoint) {
   Page page;
   page.title = map->manipulator()->name() + ": " + aspect_count(*map);
   const std::vector<WorkingMode>& modes = options.modes.empty() ? map->working_modes() : options.modes;

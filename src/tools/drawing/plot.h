@@ -2,14 +2,14 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_PLOT_H
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_PLOT_H
 
-#include "aspects/pictures/map_pictures.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_slice.h"
-#include "tools/drawing/page_elements.h"
-#include "tools/drawing/panel.h"
 
 #include <Eigen/Core>
 
+#include "draw/page/page_elements.h"
+#include "draw/page/panel.h"
+#include "draw/plane/map_pictures.h"
 #include <array>
 #include <functional>
 #include <memory>
@@ -57,7 +57,7 @@ struct PlotOptions {
 /// The figures of the paper: the workspace and, where it is a plane, the joint space of each working mode, or
 /// of each aspect. Maps with three coordinates without a section are seen as bodies. `checkpoint` is called
 /// now and then; it may throw.
-Picture draw_plot(
+PagePicture draw_plot(
     const std::shared_ptr<const AspectMap>& map, const PlotOptions& options,
     const std::function<void()>& checkpoint = [] {});
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/uniqueness_drawing.h"
 
-#include "aspects/pictures/map_pictures.h"
-#include "aspects/pictures/singular_curves.h"
 #include "model/angles.h"
 #include "model/message_text.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "tools/drawing/page.h"
 #include "tools/drawing/plot.h"
 #include "tools/report/reports.h"
 
 #include <Eigen/Geometry>
 
+#include "draw/page/page.h"
+#include "draw/plane/map_pictures.h"
+#include "draw/plane/singular_curves.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -66,7 +66,7 @@ class UniquenessDrawing {
     add_curves();
   }
 
-  Picture draw() const {
+  PagePicture draw() const {
     Page page;
     page.side = side_of_planes;
     page.title =
@@ -270,7 +270,7 @@ class CurvesDrawing {
     others_ = {held_ == 0 ? std::size_t{1} : std::size_t{0}, held_ == 2 ? std::size_t{1} : std::size_t{2}};
   }
 
-  Picture draw() const {
+  PagePicture draw() const {
     Page page;
     page.side = side_of_planes;
     page.title = robot_.name() + ", " + title(held_) + " from " + number_text(found_.range.lower) + " to " +
@@ -373,11 +373,11 @@ class CurvesDrawing {
 
 }  // namespace
 
-Picture draw_uniqueness(const Uniqueness& uniqueness, const std::optional<WorkingMode>& mode) {
+PagePicture draw_uniqueness(const Uniqueness& uniqueness, const std::optional<WorkingMode>& mode) {
   return UniquenessDrawing(uniqueness, mode).draw();
 }
 
-Picture draw_cusp_curves(const Manipulator& robot, const CuspCurves& found) {
+PagePicture draw_cusp_curves(const Manipulator& robot, const CuspCurves& found) {
   return CurvesDrawing(robot, found).draw();
 }
 

@@ -4,8 +4,8 @@
 
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "tools/drawing/page_elements.h"
 
+#include "draw/page/page_elements.h"
 #include <optional>
 
 namespace parallel_aspects::tools {
@@ -13,11 +13,12 @@ namespace parallel_aspects::tools {
 /// The plane of poses of a slice and the plane of both actuated values: the number of direct solutions in
 /// color, singular curves, and cusps as dots with their numbers in the list. For slices alone. The poses are
 /// those of one working mode of the map, by default that of which the components are the largest together.
-Picture draw_uniqueness(const Uniqueness& uniqueness, const std::optional<WorkingMode>& mode = std::nullopt);
+PagePicture draw_uniqueness(const Uniqueness& uniqueness,
+                            const std::optional<WorkingMode>& mode = std::nullopt);
 
 /// Curves of cusps in the plane of the other two actuated values, and the number of cusps over the value that
 /// is held.
-Picture draw_cusp_curves(const Manipulator& robot, const CuspCurves& found);
+PagePicture draw_cusp_curves(const Manipulator& robot, const CuspCurves& found);
 
 }  // namespace parallel_aspects::tools
 

@@ -161,7 +161,7 @@ Report report_of(const PlotArguments& arguments, const Surroundings& surrounding
   check_section(*map, options);
   const auto start = std::chrono::steady_clock::now();
   const MapControl control = control_of(surroundings);
-  const Picture picture = draw_plot(map, options, [&control] {
+  const PagePicture picture = draw_plot(map, options, [&control] {
     if (is_cancelled(control)) throw Interrupted{};
   });
   write_picture_file(arguments.file, picture);

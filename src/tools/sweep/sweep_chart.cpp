@@ -121,10 +121,10 @@ class ChartPage {
       }
     picture_.width = left + width + right;
     picture_.height = top + height + bottom;
-    text({20.0, 24.0}, Anchor::start, title, 14.0);
+    text({20.0, 24.0}, TextAnchor::start, title, 14.0);
   }
 
-  Picture take() { return std::move(picture_); }
+  PagePicture take() { return std::move(picture_); }
 
  protected:
   const SweepChart& chart() const { return chart_; }
@@ -134,7 +134,7 @@ class ChartPage {
     return most() > least() ? (value - least()) / (most() - least()) : 0.5;
   }
 
-  void text(const PagePoint& at, Anchor anchor, const std::string& words, double size = 11.0) {
+  void text(const PagePoint& at, TextAnchor anchor, const std::string& words, double size = 11.0) {
     picture_.elements.emplace_back(PageText{at, anchor, size, words});
   }
 
@@ -159,27 +159,28 @@ class ChartPage {
     loop.push_back(loop.front());
     curves({loop}, frame_color, 1.0);
     for (const auto& [x, value] : across.places)
-      text({x, top + height + 16.0}, Anchor::middle, shown_briefly(value));
-    for (const auto& [y, value] : up.places) text({left - 6.0, y + 4.0}, Anchor::end, shown_briefly(value));
-    text({left + 0.5 * width, top + height + 16.0}, Anchor::middle, across.name);
-    text({left - 6.0, top + 0.5 * height}, Anchor::end, up.name);
+      text({x, top + height + 16.0}, TextAnchor::middle, shown_briefly(value));
+    for (const auto& [y, value] : up.places)
+      text({left - 6.0, y + 4.0}, TextAnchor::end, shown_briefly(value));
+    text({left + 0.5 * width, top + height + 16.0}, TextAnchor::middle, across.name);
+    text({left - 6.0, top + 0.5 * height}, TextAnchor::end, up.name);
   }
 
   void legend_of_lines() {
     const double y = top + height + 40.0;
     if (!chart_.has_count)
-      return text({left, y}, Anchor::start,
+      return text({left, y}, TextAnchor::start,
                   "numbers of aspects are not in the file: --report count has them");
     curves({{{left, y - 4.0}, {left + 30.0, y - 4.0}}}, change_color, 2.0);
-    text({left + 36.0, y}, Anchor::start, "the number of aspects changes, proved");
+    text({left + 36.0, y}, TextAnchor::start, "the number of aspects changes, proved");
     curves({{{left + 270.0, y - 4.0}, {left + 300.0, y - 4.0}}}, change_color, 1.2, true);
-    text({left + 306.0, y}, Anchor::start, "it may change");
+    text({left + 306.0, y}, TextAnchor::start, "it may change");
   }
 
  private:
   const SweepChart& chart_;
   std::optional<double> least_, most_;
-  Picture picture_;
+  PagePicture picture_;
 };
 
 std::string words_of(const ChartPoint& point) {
@@ -323,9 +324,9 @@ class PlaneChart : public ChartPage {
       area(rectangle_of({from, low - step - 0.5}, {from + scale_width, low}),
            color_of_share((static_cast<double>(i) + 0.5) / steps), "");
     }
-    text({from + scale_width + 5.0, top + height}, Anchor::start, shown_briefly(least()));
-    text({from + scale_width + 5.0, top + 10.0}, Anchor::start, shown_briefly(most()));
-    text({from, top - 8.0}, Anchor::start, chart().column);
+    text({from + scale_width + 5.0, top + height}, TextAnchor::start, shown_briefly(least()));
+    text({from + scale_width + 5.0, top + 10.0}, TextAnchor::start, shown_briefly(most()));
+    text({from, top - 8.0}, TextAnchor::start, chart().column);
   }
 
   std::vector<double> xs_, ys_, x_borders_, y_borders_;
@@ -366,7 +367,7 @@ SweepChart chart_of(const SweepTable& table, const ChartQuestion& question) {
   return chart;
 }
 
-Picture draw_chart(const SweepChart& chart, const std::string& title) {
+PagePicture draw_chart(const SweepChart& chart, const std::string& title) {
   if (chart.over.size() == 1) {
     CurveChart page(chart, title);
     page.draw();

@@ -3,8 +3,8 @@
 #define PARALLEL_ASPECTS_TOOLS_SWEEP_SWEEP_CHART_H
 
 #include "parallel_aspects/model/problems.h"
-#include "tools/drawing/page_elements.h"
 
+#include "draw/page/page_elements.h"
 #include <optional>
 #include <string>
 #include <utility>
@@ -55,7 +55,7 @@ SweepChart chart_of(const SweepTable& table, const ChartQuestion& question);
 /// Over one parameter a curve; over two the cells of a grid, or a mark for each design where they form none.
 /// Between neighbours whose numbers of aspects are proved to differ there are lines, dashed where they may
 /// differ.
-Picture draw_chart(const SweepChart& chart, const std::string& title);
+PagePicture draw_chart(const SweepChart& chart, const std::string& title);
 
 }  // namespace parallel_aspects::tools
 

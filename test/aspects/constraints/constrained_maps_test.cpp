@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/boxes/box_classifier.h"
-#include "aspects/pictures/map_pictures.h"
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
@@ -8,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "draw/plane/map_pictures.h"
 #include "support/clearance_at.h"
 #include "support/robots/constrained_robots.h"
 #include "support/robots/robots.h"

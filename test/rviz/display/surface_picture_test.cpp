@@ -2,13 +2,13 @@
 // What the display draws of a map, without rviz.
 #include "rviz/display/surface_picture.h"
 
-#include "aspects/pictures/palette.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "rviz/display/picture_thread.h"
 #include "rviz/display/workspace_painter.h"
 
 #include <gtest/gtest.h>
 
+#include "draw/plane/palette.h"
 #include "support/robots/shipped.h"
 #include "support/slices.h"
 #include <algorithm>

@@ -2,11 +2,11 @@
 #include "tools/drawing/plot.h"
 
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "tools/drawing/outlines.h"
-#include "tools/drawing/page.h"
 
 #include <gtest/gtest.h>
 
+#include "draw/page/outlines.h"
+#include "draw/page/page.h"
 #include "support/robots/shipped.h"
 #include "support/slices.h"
 #include <algorithm>
@@ -46,7 +46,7 @@ struct DrawnPanel {
 constexpr double frame_width = 0.8;
 
 // Frames come after what is in them.
-std::vector<DrawnPanel> panels_of(const Picture& picture) {
+std::vector<DrawnPanel> panels_of(const PagePicture& picture) {
   std::vector<DrawnPanel> panels;
   DrawnPanel next;
   for (const PageElement& element : picture.elements) {
@@ -247,9 +247,9 @@ TEST(Plot, EachAspectHasItsFigure) {
 
 Eigen::AlignedBox2d box_of(const PageText& text) {
   const double width = text_width(text.text, text.size);
-  const double left = text.anchor == Anchor::start    ? 0.0
-                      : text.anchor == Anchor::middle ? 0.5 * width
-                                                      : width;
+  const double left = text.anchor == TextAnchor::start    ? 0.0
+                      : text.anchor == TextAnchor::middle ? 0.5 * width
+                                                          : width;
   const PagePoint lower = text.at + PagePoint(-left, -0.72 * text.size);
   return {lower, PagePoint(lower + PagePoint(width, 0.72 * text.size))};
 }
@@ -260,7 +260,7 @@ TEST(Plot, NoTextOverlapsAnotherOrLeavesThePage) {
       PlotOptions options;
       options.each_aspect = each;
       options.levels = {DrawnIndex::conditioning, {0.2, 0.4, 0.6, 0.8}};
-      const Picture picture = draw_plot(map, options);
+      const PagePicture picture = draw_plot(map, options);
       std::vector<PageText> texts;
       for (const PageElement& element : picture.elements)
         if (const auto* text = std::get_if<PageText>(&element)) texts.push_back(*text);
@@ -296,7 +296,7 @@ Decoded decoded(const std::string& file) {
 
 // Read by another library, the picture shows each colour over its area.
 TEST(Plot, PngShowsTheAreas) {
-  const Picture picture = draw_plot(five_bar(), only(WorkingMode::from_index(2, 0)));
+  const PagePicture picture = draw_plot(five_bar(), only(WorkingMode::from_index(2, 0)));
   const Decoded image = decoded(as_png(picture, 2.0));
   ASSERT_EQ(image.width, static_cast<std::size_t>(2.0 * picture.width));
   ASSERT_EQ(image.height, static_cast<std::size_t>(2.0 * picture.height));
@@ -319,7 +319,7 @@ TEST(Plot, BodiesOfThreeCoordinatesAreSeen) {
   ASSERT_TRUE(map);
   PlotOptions options;
   options.modes = {map->working_modes().front()};
-  const Picture picture = draw_plot(map, options);
+  const PagePicture picture = draw_plot(map, options);
   const auto image =
       std::find_if(picture.elements.begin(), picture.elements.end(),
                    [](const PageElement& each) { return std::holds_alternative<PageImage>(each); });
@@ -331,7 +331,7 @@ TEST(Plot, BodiesOfThreeCoordinatesAreSeen) {
   EXPECT_EQ(as_svg(picture).find("<image"), as_svg(picture).rfind("<image"));
 }
 
-std::string all_text(const Picture& picture) {
+std::string all_text(const PagePicture& picture) {
   std::string all;
   for (const PageElement& element : picture.elements)
     if (const auto* text = std::get_if<PageText>(&element)) all += text->text + " ";
@@ -345,7 +345,7 @@ TEST(Plot, AspectsThatAreNotDrawnAreNamed) {
   map_options.slice = test::slice_of(robot, {{"phi", 0.0}});
   const Map map = compute_aspect_map(robot, map_options).map;
   ASSERT_TRUE(map);
-  const Picture picture = draw_plot(map, {});
+  const PagePicture picture = draw_plot(map, {});
   std::set<int> drawn;
   for (const DrawnPanel& panel : panels_of(picture))
     for (const PageArea& area : panel.areas) drawn.insert(id_of(area));

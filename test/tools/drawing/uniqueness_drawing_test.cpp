@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/uniqueness_drawing.h"
 
-#include "aspects/pictures/singular_curves.h"
-
 #include <gtest/gtest.h>
 
+#include "draw/plane/singular_curves.h"
 #include "support/robots/shipped.h"
 #include "support/slices.h"
 #include <algorithm>
@@ -39,7 +38,7 @@ const Uniqueness& three_prr() {
 }
 
 /// Of poses, then of actuated values.
-std::vector<PageCurves> curves_of(const Picture& picture, const std::string& start) {
+std::vector<PageCurves> curves_of(const PagePicture& picture, const std::string& start) {
   std::vector<PageCurves> found;
   for (const PageElement& element : picture.elements)
     if (const auto* curves = std::get_if<PageCurves>(&element);
@@ -48,14 +47,14 @@ std::vector<PageCurves> curves_of(const Picture& picture, const std::string& sta
   return found;
 }
 
-std::vector<std::string> texts_of(const Picture& picture) {
+std::vector<std::string> texts_of(const PagePicture& picture) {
   std::vector<std::string> texts;
   for (const PageElement& element : picture.elements)
     if (const auto* text = std::get_if<PageText>(&element)) texts.push_back(text->text);
   return texts;
 }
 
-bool has(const Picture& picture, const std::string& text) {
+bool has(const PagePicture& picture, const std::string& text) {
   const std::vector<std::string> texts = texts_of(picture);
   return std::find(texts.begin(), texts.end(), text) != texts.end();
 }
@@ -134,9 +133,9 @@ TEST(UniquenessDrawing, NumbersChangeAcrossParallelSingularities) {
 }
 
 TEST(UniquenessDrawing, ShowsTheLargestModeUnlessAnotherIsChosen) {
-  const Picture largest = draw_uniqueness(three_prr());
+  const PagePicture largest = draw_uniqueness(three_prr());
   EXPECT_TRUE(has(largest, "poses in working mode (-,-,-)"));
-  const Picture first = draw_uniqueness(three_prr(), WorkingMode::from_signs({1, 1, 1}));
+  const PagePicture first = draw_uniqueness(three_prr(), WorkingMode::from_signs({1, 1, 1}));
   EXPECT_TRUE(has(first, "poses in working mode (+,+,+)"));
 }
 

@@ -221,7 +221,7 @@ TEST(SweepChart, LinesAreWhereNeighboursDiffer) {
   SweepChart chart{"c", {"a"}, {}, true};
   for (const auto& [x, count] : {std::pair(3.0, 10.0), {1.0, 8.0}, {2.0, 8.0}, {4.0, 10.0}})
     chart.points.push_back({x, 0.0, x, count, count});
-  const Picture picture = draw_chart(chart, "");
+  const PagePicture picture = draw_chart(chart, "");
   std::size_t lines = 0;
   for (const PageElement& element : picture.elements)
     if (const auto* curves = std::get_if<PageCurves>(&element))

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_DRAW_PLANE_PALETTE_H
+#define PARALLEL_ASPECTS_DRAW_PLANE_PALETTE_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+
+#include "draw/plane/map_pictures.h"
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// The colours of every picture of this package, which people with any colour vision tell apart.
+namespace parallel_aspects {
+
+/// 0xRRGGBB.
+using Rgb = std::uint32_t;
+
+inline constexpr Rgb ink_color = 0x202020;
+inline constexpr Rgb undecided_color = 0xBBBBBB;
+
+/// How many colours each sign of det A has. The first six differ more than the others.
+inline constexpr std::size_t hue_count = 24;
+
+/// Light where det A > 0, dark where det A < 0; `hue` counts from 0 and comes again after `hue_count`.
+Rgb aspect_color(int determinant_sign, std::size_t hue);
+
+/// The colours of the aspects, by id - 1. Aspects differ from those of their working mode and of the
+/// neighbouring modes, which differ in the sign of one B_jj, as long as no two neighbouring modes have more
+/// than `hue_count` aspects of a sign of det A. More than the first six hues are taken where that needs them.
+std::vector<Rgb> aspect_colors(const std::vector<Aspect>& aspects);
+
+/// Of actuated values with so many direct solutions, and of their poses: the more, the darker.
+Rgb solutions_color(std::size_t solutions);
+
+/// Of boundaries.
+Rgb boundary_color(BoundaryKind kind);
+
+/// What the kinds of boundary mean, in the order in which they are drawn.
+const std::vector<std::pair<BoundaryKind, const char*>>& boundary_words();
+
+/// `share` of the way to white, 0 to 1.
+Rgb lightened(Rgb color, double share);
+
+/// As "#rrggbb".
+std::string color_text(Rgb color);
+
+/// Black or white, whichever reads better on `background`.
+Rgb readable_on(Rgb background);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_DRAW_PLANE_PALETTE_H
