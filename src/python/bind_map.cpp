@@ -2,7 +2,7 @@
 #include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 
-#include "draw/plane/map_pictures.h"
+#include "draw/scene/plane_scene.h"
 #include "python/arrays.h"
 #include "python/asking.h"
 #include "python/bindings.h"
@@ -76,42 +76,15 @@ Array undecided_boxes(const CoreMap& map, const py::object& signs) {
   return array_of(boxes, map.map->coordinates().size());
 }
 
-const char* name_of(BoundaryKind kind) {
-  switch (kind) {
-    case BoundaryKind::parallel:
-      return "parallel";
-    case BoundaryKind::serial:
-      return "serial";
-    case BoundaryKind::limit:
-      return "limit";
-    case BoundaryKind::passive_limit:
-      return "passive_limit";
-    case BoundaryKind::cone:
-      return "cone";
-    case BoundaryKind::self_collision:
-      return "self_collision";
-    case BoundaryKind::obstacle:
-      return "obstacle";
-    case BoundaryKind::workspace:
-      return "workspace";
-    case BoundaryKind::margin:
-      break;
-  }
-  return "margin";
-}
-
 /// The plane that is drawn: all there is in T2, else at that phi, z or torsion, or the slice of the map.
-PoseSlice plane_of(const CoreMap& map, double level) {
-  if (!map.map->slice()) {
-    if (map.robot().task_space() == TaskSpace::T1)
-      throw InvalidDescription(
-          {"The map is of a line; there is no plane to draw. boxes(aspect) has its ranges."});
-    return {map.robot().task_space(), level};
-  }
-  if (map.map->slice()->dimension() != 2)
+PosePlane plane_at(const CoreMap& map, double level) {
+  if (!map.map->slice() && map.robot().task_space() == TaskSpace::T1)
+    throw InvalidDescription(
+        {"The map is of a line; there is no plane to draw. boxes(aspect) has its ranges."});
+  if (map.map->slice() && map.map->slice()->dimension() != 2)
     throw InvalidDescription(
         {"The slice of the map has not two free coordinates; only planes are drawn. Map a slice with two."});
-  return {map.robot(), *map.map->slice()};
+  return plane_of(*map.map, PoseSlice(map.robot().task_space(), level));
 }
 
 Array points_of(const std::vector<Eigen::Vector2d>& points) {
@@ -119,23 +92,47 @@ Array points_of(const std::vector<Eigen::Vector2d>& points) {
   return array_of(rows, 2);
 }
 
-/// Polygons of each aspect and lines by kind, of one working mode in a plane.
-py::dict trace(const CoreMap& map, const py::object& signs, double level, int cells) {
+py::dict dict_of(const PlaneArea& area) {
+  py::list polygons;
+  for (const auto& corners : area.polygons) polygons.append(points_of(corners));
+  py::dict result;
+  result["aspect"] = area.aspect;
+  result["color"] = color_text(area.color);
+  result["text_color"] = color_text(readable_on(area.color));
+  result["label"] = area.label;
+  result["title"] = area.title;
+  result["polygons"] = polygons;
+  return result;
+}
+
+py::dict dict_of(const BoundaryCurves& curves) {
+  py::list pieces;
+  for (std::size_t i = 0; i + 1 < curves.ends.size(); i += 2)
+    pieces.append(points_of({curves.ends[i], curves.ends[i + 1]}));
+  py::dict result;
+  result["kind"] = curves.style->name;
+  result["color"] = color_text(curves.style->color);
+  result["words"] = curves.style->words;
+  result["pieces"] = pieces;
+  return result;
+}
+
+/// What is drawn of one working mode in a plane.
+py::dict scene(const CoreMap& map, const py::object& signs, double level, int cells) {
   if (cells < 2 || cells > 10'000)
     throw InvalidDescription({"cells is " + std::to_string(cells) + "; give 2 to 10000."});
   const WorkingMode mode = mode_of("mode", map.robot(), signs);
-  const PoseSlice plane = plane_of(map, level);
-  const auto picture = run_long(py::none(), [&](const MapControl&) {
-    return trace_slice(*map.map, mode, plane, slice_bounds(*map.map), cells);
-  });
-  py::list polygons, lines;
-  for (const BoundarySliver& sliver : picture.slivers)
-    polygons.append(py::make_tuple(sliver.aspect, points_of(sliver.corners)));
-  for (const BoundarySegment& segment : picture.segments)
-    lines.append(py::make_tuple(name_of(segment.kind), points_of({segment.from, segment.to})));
+  const PosePlane plane = plane_at(map, level);
+  const PlaneScene drawn =
+      run_long(py::none(), [&](const MapControl&) { return pose_scene(*map.map, plane, mode, cells); });
+  py::list areas, curves;
+  for (const PlaneArea& area : drawn.areas) areas.append(dict_of(area));
+  for (const BoundaryCurves& each : curves_of(drawn.boundaries)) curves.append(dict_of(each));
   py::dict result;
-  result["polygons"] = polygons;
-  result["lines"] = lines;
+  result["axes"] = py::make_tuple(drawn.axes[0].title, drawn.axes[1].title);
+  result["keeps_proportion"] = drawn.keeps_proportion;
+  result["areas"] = areas;
+  result["curves"] = curves;
   return result;
 }
 
@@ -149,7 +146,7 @@ void bind_map(RobotClass& robot, MapClass& map) {
   map.def("locate", locate);
   map.def("boxes", boxes_of);
   map.def("undecided", undecided_boxes);
-  map.def("trace", trace);
+  map.def("scene", scene);
   map.def("save", save);
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "draw/page/page.h"
 
-#include "model/message_text.h"
-
 #include <algorithm>
 #include <sstream>
 
@@ -17,7 +15,6 @@ constexpr double least_figure = 250.0;  // so that what is written over it has r
 constexpr std::size_t most_entries = 8;
 constexpr double swatch = 10.0, between_entries = 16.0;
 constexpr double below_base_line = 4.0;  // of what hangs below the base line of a text
-constexpr std::size_t most_missing = 12;
 
 /// Lines of words that are no wider than that.
 std::vector<std::string> wrapped(const std::string& text, double width) {
@@ -31,6 +28,14 @@ std::vector<std::string> wrapped(const std::string& text, double width) {
       lines.push_back(word);
   }
   return lines;
+}
+
+std::vector<LegendEntry> shortened(std::vector<LegendEntry> entries) {
+  if (entries.size() <= most_entries) return entries;
+  const std::size_t more = entries.size() - most_entries;
+  entries.resize(most_entries);
+  entries.push_back({0xFFFFFF, false, "and " + std::to_string(more) + " more"});
+  return entries;
 }
 
 class PageDrawing {
@@ -53,13 +58,13 @@ class PageDrawing {
   }
 
  private:
-  double width_of(const PanelContents& panel) const {
+  double width_of(const PagePanel& panel) const {
     return left_of_panel + panel_size(panel, page_.side).x() + beside_panel;
   }
 
   double width_of(const PageFigure& figure) const {
     double width = 0.0;
-    for (const PanelContents& panel : figure.panels) width += width_of(panel);
+    for (const PagePanel& panel : figure.panels) width += width_of(panel);
     return std::max(width, least_figure);
   }
 
@@ -93,15 +98,15 @@ class PageDrawing {
     for (std::size_t i = begin; i < end; ++i) {
       const double width = width_of(page_.figures[i]);
       write({x, y_ + heading_size}, heading_size, page_.figures[i].title, true);
-      heading_end = std::max(
-          heading_end,
-          draw_entries(page_.figures[i].entries, {x, y_ + heading_size + line_pitch}, width - beside_panel));
+      heading_end =
+          std::max(heading_end, draw_entries(shortened(page_.figures[i].entries),
+                                             {x, y_ + heading_size + line_pitch}, width - beside_panel));
       x += width;
     }
     x = margin;
     for (std::size_t i = begin; i < end; ++i) {
       double panel_x = x;
-      for (const PanelContents& panel : page_.figures[i].panels) {
+      for (const PagePanel& panel : page_.figures[i].panels) {
         const PagePoint corner(panel_x + left_of_panel, heading_end + room_above(panel));
         draw_panel(panel, corner, page_.side, picture_);
         bottom = std::max(bottom, corner.y() + panel_size(panel, page_.side).y() + below_panel);
@@ -151,33 +156,18 @@ class PageDrawing {
 
 }  // namespace
 
-std::string aspect_words(const AspectMap& map, const Aspect& aspect) {
-  return "aspect " + std::to_string(aspect.id) + ": det A " + (aspect.determinant_sign > 0 ? "> 0" : "< 0") +
-         ", " + number_text(aspect.measure, 4) + " " + map.unit();
-}
-
-std::vector<LegendEntry> aspect_entries(const AspectMap& map, const std::vector<Rgb>& colors,
-                                        const std::set<int>& ids) {
-  std::vector<LegendEntry> entries;
-  for (const int id : ids) {
-    const auto index = static_cast<std::size_t>(id - 1);
-    if (entries.size() == most_entries) {
-      entries.push_back({0xFFFFFF, false, "and " + std::to_string(ids.size() - most_entries) + " more"});
-      break;
-    }
-    entries.push_back({colors[index], false, aspect_words(map, map.aspects()[index])});
-  }
-  return entries;
-}
-
-std::string missing_aspects(const std::vector<int>& ids, const std::string& why) {
-  std::string text = why + (ids.size() == 1 ? ": aspect " : ": aspects ");
-  for (std::size_t i = 0; i < std::min(ids.size(), most_missing); ++i)
-    text += (i == 0 ? "" : ", ") + std::to_string(ids[i]);
-  if (ids.size() > most_missing) text += " and " + std::to_string(ids.size() - most_missing) + " more";
-  return text + ".";
-}
-
 PagePicture draw_page(const Page& page) { return PageDrawing(page).draw(); }
+
+Page page_of(const MapScene& scene, const std::string& title) {
+  Page page;
+  page.title = title;
+  page.notes = scene.notes;
+  page.legend = scene.legend;
+  for (const MapFigure& figure : scene.figures) {
+    page.figures.push_back({figure.title, figure.legend, {}});
+    for (const PlaneScene& plane : figure.planes) page.figures.back().panels.push_back({plane});
+  }
+  return page;
+}
 
 }  // namespace parallel_aspects

@@ -111,7 +111,7 @@ std::vector<Tick> ticks_of_turn() {
 }
 
 // Steps of 1, 2 or 5 of a power of ten, four to nine over the whole range.
-std::vector<Tick> ticks_of(const PanelAxis& axis) {
+std::vector<Tick> ticks_of(const PlaneAxis& axis) {
   if (axis.is_turn) return ticks_of_turn();
   const double range = axis.upper - axis.lower, power = std::pow(10.0, std::floor(std::log10(range)));
   double step = power;
@@ -125,8 +125,12 @@ std::vector<Tick> ticks_of(const PanelAxis& axis) {
 
 class Panel {
  public:
-  Panel(const PanelContents& contents, const PagePoint& corner, double side)
-      : contents_(contents), corner_(corner), size_(panel_size(contents, side)), labels_(corner_, size_) {}
+  Panel(const PagePanel& contents, const PagePoint& corner, double side)
+      : contents_(contents),
+        plane_(contents.plane),
+        corner_(corner),
+        size_(panel_size(contents, side)),
+        labels_(corner_, size_) {}
 
   void draw(PagePicture& picture) {
     if (contents_.image) {
@@ -134,12 +138,11 @@ class Panel {
       return;
     }
     picture.elements.emplace_back(
-        PageText{corner_ - PagePoint(0.0, 22.0), TextAnchor::start, caption_size, contents_.caption});
+        PageText{corner_ - PagePoint(0.0, 22.0), TextAnchor::start, caption_size, plane_.caption});
     draw_shapes(picture);
     const auto levels = level_lines();
-    for (const auto& [level, lines] : levels) draw_cased(lines, 0x202020, level_width, "", picture);
+    for (const auto& [level, lines] : levels) draw_cased(lines, ink_color, level_width, "", picture);
     draw_segments(picture);
-    draw_outlines(picture);
     draw_lines(picture);
     draw_marks(picture);
     draw_frame(picture);
@@ -149,7 +152,7 @@ class Panel {
 
  private:
   PagePoint place(const Eigen::Vector2d& point) const {
-    const auto& [x, y] = contents_.axes;
+    const auto& [x, y] = plane_.axes;
     return corner_ + PagePoint(size_.x() * (point.x() - x.lower) / (x.upper - x.lower),
                                size_.y() * (y.upper - point.y()) / (y.upper - y.lower));
   }
@@ -180,7 +183,7 @@ class Panel {
   }
 
   void draw_shapes(PagePicture& picture) {
-    for (const PanelShape& shape : contents_.shapes) {
+    for (const PlaneArea& shape : plane_.areas) {
       std::vector<PageLine> polygons;
       for (const auto& polygon : shape.polygons) {
         polygons.emplace_back();
@@ -209,25 +212,16 @@ class Panel {
   }
 
   void draw_segments(PagePicture& picture) const {
-    for (const auto& [kind, words] : boundary_words()) {
+    for (const BoundaryCurves& curves : curves_of(plane_.boundaries)) {
       std::vector<std::pair<PagePoint, PagePoint>> pieces;
-      for (const BoundarySegment& segment : contents_.segments)
-        if (segment.kind == kind) pieces.emplace_back(place(segment.from), place(segment.to));
-      draw_cased(joined_lines(pieces), boundary_color(kind), curve_width, words, picture);
+      for (std::size_t i = 0; i + 1 < curves.ends.size(); i += 2)
+        pieces.emplace_back(place(curves.ends[i]), place(curves.ends[i + 1]));
+      draw_cased(joined_lines(pieces), curves.style->color, curve_width, curves.style->words, picture);
     }
-  }
-
-  void draw_outlines(PagePicture& picture) const {
-    std::vector<PageLine> lines;
-    for (const auto& outline : contents_.outlines) {
-      lines.emplace_back();
-      for (const Eigen::Vector2d& point : outline) lines.back().push_back(place(point));
-    }
-    draw_cased(lines, ink_color, curve_width, "largest shape", picture);
   }
 
   void draw_lines(PagePicture& picture) const {
-    for (const PanelLine& each : contents_.lines) {
+    for (const PlaneLine& each : plane_.lines) {
       PageLine line;
       for (const Eigen::Vector2d& point : each.points) line.push_back(place(point));
       draw_cased({line}, each.color, curve_width, each.title, picture);
@@ -235,7 +229,7 @@ class Panel {
   }
 
   void draw_marks(PagePicture& picture) const {
-    for (const PanelMark& mark : contents_.marks) {
+    for (const PlaneMark& mark : plane_.marks) {
       const PagePoint at = place(mark.at);
       for (const auto& [radius, color] :
            {std::pair{mark_radius + 1.0, Rgb{0xFFFFFF}}, {mark_radius, ink_color}})
@@ -260,7 +254,7 @@ class Panel {
 
   std::map<double, std::vector<PageLine>> level_lines() const {
     std::map<double, std::vector<std::pair<PagePoint, PagePoint>>> pieces;
-    for (const LevelSegment& segment : contents_.levels)
+    for (const LevelSegment& segment : plane_.levels)
       pieces[segment.level].emplace_back(place(segment.from), place(segment.to));
     std::map<double, std::vector<PageLine>> lines;
     for (const auto& [level, each] : pieces) lines.emplace(level, joined_lines(each));
@@ -274,7 +268,7 @@ class Panel {
   void draw_frame(PagePicture& picture) const {
     const PagePoint right(size_.x(), 0.0), down(0.0, size_.y());
     std::vector<PageLine> lines{{corner_, corner_ + right, corner_ + size_, corner_ + down, corner_}};
-    const auto& [x, y] = contents_.axes;
+    const auto& [x, y] = plane_.axes;
     for (const Tick& tick : ticks_of(x)) {
       const PagePoint at(place({tick.value, 0.0}).x(), corner_.y() + size_.y());
       lines.push_back({at, at + PagePoint(0.0, tick_length)});
@@ -294,9 +288,10 @@ class Panel {
         PageText{corner_ - PagePoint(0.0, 7.0), TextAnchor::start, axis_title_size, y.title});
   }
 
-  using Id = std::pair<LabelPoint, const PanelShape*>;
+  using Id = std::pair<LabelPoint, const PlaneArea*>;
 
-  const PanelContents& contents_;
+  const PagePanel& contents_;
+  const PlaneScene& plane_;
   PagePoint corner_, size_;
   PanelLabels labels_;
   std::vector<Id> ids_;
@@ -304,16 +299,16 @@ class Panel {
 
 }  // namespace
 
-PagePoint panel_size(const PanelContents& contents, double side) {
-  if (!contents.keeps_proportion) return {side, side};
-  const auto& [x, y] = contents.axes;
+PagePoint panel_size(const PagePanel& contents, double side) {
+  if (!contents.plane.keeps_proportion) return {side, side};
+  const auto& [x, y] = contents.plane.axes;
   const PagePoint range(x.upper - x.lower, y.upper - y.lower);
   return side / range.maxCoeff() * range;
 }
 
-double room_above(const PanelContents& contents) { return contents.image ? 0.0 : 36.0; }
+double room_above(const PagePanel& contents) { return contents.image ? 0.0 : 36.0; }
 
-void draw_panel(const PanelContents& contents, const PagePoint& corner, double side, PagePicture& picture) {
+void draw_panel(const PagePanel& contents, const PagePoint& corner, double side, PagePicture& picture) {
   Panel(contents, corner, side).draw(picture);
 }
 

@@ -6,8 +6,7 @@
 
 #include "draw/page/outlines.h"
 #include "draw/page/page_elements.h"
-#include "draw/plane/map_pictures.h"
-#include <array>
+#include "draw/scene/plane_scene.h"
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,21 +31,6 @@ class PanelLabels {
   std::vector<Eigen::AlignedBox2d> taken_;
 };
 
-/// One coordinate of a panel.
-struct PanelAxis {
-  std::string title;                ///< with its unit
-  double lower = 0.0, upper = 1.0;  ///< what is shown [m or rad]
-  bool is_turn = false;             ///< from -pi to pi
-};
-
-/// A set of points of a panel, in its coordinates.
-struct PanelShape {
-  std::vector<std::vector<Eigen::Vector2d>> polygons;  ///< which share whole sides, turned the same way
-  Rgb color = 0;
-  std::string label;  ///< written on it; empty for none
-  std::string title;  ///< what it is
-};
-
 /// A line of an image, and what is written beside it; ends from 0 to 1, to the right and down.
 struct ImageAxis {
   PagePoint from, to;
@@ -60,47 +44,25 @@ struct ImageLabel {
   Rgb background = 0;
 };
 
-/// A line, of a colour of its own.
-struct PanelLine {
-  std::vector<Eigen::Vector2d> points;  ///< in its coordinates
-  Rgb color = 0;
-  std::string title;  ///< what it is
-};
-
-/// A point, with what is written beside it.
-struct PanelMark {
-  Eigen::Vector2d at;  ///< in its coordinates
-  std::string label;
-  bool is_ring = false;  ///< a circle in place of a dot
-};
-
-/// What is in a panel.
-struct PanelContents {
-  std::string caption;
-  std::array<PanelAxis, 2> axes;
-  bool keeps_proportion = false;  ///< whether both axes have one scale
-  std::vector<PanelShape> shapes;
-  std::vector<BoundarySegment> segments;
-  std::vector<LevelSegment> levels;
-  std::optional<PageImage> image;  ///< in place of shapes, over the whole panel; then with these axes
-  std::vector<ImageAxis> image_axes;
-  std::vector<ImageLabel> image_labels;
-  std::vector<std::vector<Eigen::Vector2d>> outlines{};  ///< lines over everything else
-  std::vector<PanelLine> lines{};
-  std::vector<PanelMark> marks{};  ///< dots or circles over these
+/// What is in a panel: a plane, or an image over all of it, in proportion to the axes of the plane.
+struct PagePanel {
+  PlaneScene plane;
+  std::optional<PageImage> image{};
+  std::vector<ImageAxis> image_axes{};
+  std::vector<ImageLabel> image_labels{};
 };
 
 /// How large a panel is without what is written around it, in a square of this side [px].
-PagePoint panel_size(const PanelContents& contents, double side);
+PagePoint panel_size(const PagePanel& contents, double side);
 
 /// Room around it [px].
 inline constexpr double left_of_panel = 46.0, below_panel = 34.0;
 
 /// Between what is above it and its corner [px].
-double room_above(const PanelContents& contents);
+double room_above(const PagePanel& contents);
 
 /// Adds a panel whose upper left corner is there.
-void draw_panel(const PanelContents& contents, const PagePoint& corner, double side, PagePicture& picture);
+void draw_panel(const PagePanel& contents, const PagePoint& corner, double side, PagePicture& picture);
 
 }  // namespace parallel_aspects
 

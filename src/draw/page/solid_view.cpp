@@ -232,7 +232,7 @@ std::set<int> aspects_of(const AspectMap& map, const WorkingMode& mode) {
   return ids;
 }
 
-std::set<int> seen_in(const PanelContents& panel) {
+std::set<int> seen_in(const PagePanel& panel) {
   std::set<int> ids;
   for (const ImageLabel& label : panel.image_labels) ids.insert(std::stoi(label.text));
   return ids;
@@ -265,20 +265,18 @@ void add_solids(const AspectMap& map, const std::vector<WorkingMode>& modes,
       checkpoint();
       image.add(section_of(surface_of(map, id, options), behind), colors[static_cast<std::size_t>(id - 1)]);
     }
-    PanelContents panel;
+    PagePanel panel;
     panel.image = image.image();
     panel.image_labels = image.labels();
     panel.image_axes = axes_of(box, eye);
-    page.figures.push_back(
-        {"working mode " + to_string(mode), aspect_entries(map, colors, ids), {std::move(panel)}});
+    page.figures.push_back({"working mode " + to_string(mode), aspect_legend(map, ids), {std::move(panel)}});
     const std::set<int> seen = seen_in(page.figures.back().panels.front());
     std::set_difference(ids.begin(), ids.end(), seen.begin(), seen.end(), std::back_inserter(hidden));
   }
   if (!hidden.empty())
     page.notes.push_back(missing_aspects(
         hidden, "Cut away, behind others or smaller than a point of the picture, and not seen"));
-  page.legend = {{aspect_color(1, 0), false, "light: det A > 0"},
-                 {aspect_color(-1, 0), false, "dark: det A < 0"}};
+  page.legend = sign_legend();
 }
 
 }  // namespace parallel_aspects

@@ -4,26 +4,11 @@
 #include "aspects/constraints/constraint_clearance.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 
+#include "draw/plane/palette.h"
 #include <algorithm>
 #include <cmath>
 
 namespace parallel_aspects {
-namespace {
-
-struct DrawnConstraint {
-  ConstraintKind constraint;
-  BoundaryKind kind;
-};
-constexpr DrawnConstraint drawn_constraints[] = {
-    {ConstraintKind::passive_limits, BoundaryKind::passive_limit},
-    {ConstraintKind::cones, BoundaryKind::cone},
-    {ConstraintKind::self_collision, BoundaryKind::self_collision},
-    {ConstraintKind::obstacles, BoundaryKind::obstacle},
-    {ConstraintKind::workspace, BoundaryKind::workspace},
-    {ConstraintKind::margins, BoundaryKind::margin}};
-
-}  // namespace
-
 BoundaryFunctions::BoundaryFunctions(const Manipulator& manipulator, const WorkingMode& mode,
                                      const std::optional<HeldJoint>& held)
     : robot_(manipulator), mode_(mode), held_(held), functions_{{BoundaryKind::parallel, 0}} {
@@ -31,10 +16,10 @@ BoundaryFunctions::BoundaryFunctions(const Manipulator& manipulator, const Worki
   for (std::size_t j = 0; j < robot_.leg_count(); ++j)
     for (const double limit : {robot_.leg(j).limits.lower, robot_.leg(j).limits.upper})
       if (std::isfinite(limit)) functions_.push_back({BoundaryKind::limit, j});
-  for (const DrawnConstraint& drawn : drawn_constraints) {
-    if (!robot_.constraint_kinds()[index_of(drawn.constraint)]) continue;
-    functions_.push_back({drawn.kind, 0});
-    constraints_.push_back(drawn.constraint);
+  for (const BoundaryStyle& style : boundary_styles()) {
+    if (!style.constraint || !robot_.constraint_kinds()[index_of(*style.constraint)]) continue;
+    functions_.push_back({style.kind, 0});
+    constraints_.push_back(*style.constraint);
   }
 }
 

@@ -93,57 +93,65 @@ std::vector<Rgb> aspect_colors(const std::vector<Aspect>& aspects) {
   return colors;
 }
 
+Rgb candidate_color(std::size_t index) { return aspect_color(-1, index); }
+
 // After Paul Tol's iridescent scheme, by rising numbers, which are even but where poses are singular.
 Rgb solutions_color(std::size_t solutions) {
   constexpr std::array<Rgb, 4> colors{0xFEFBE9, 0xD5ECC8, 0x8DCBE4, 0x6A6FB5};
   return colors[std::min((solutions + 1) / 2, colors.size() - 1)];
 }
 
-Rgb boundary_color(BoundaryKind kind) {
-  switch (kind) {
-    case BoundaryKind::parallel:
-      return 0xB00020;
-    case BoundaryKind::serial:
-      return 0x00305A;
-    case BoundaryKind::passive_limit:
-      return 0xA0826D;
-    case BoundaryKind::cone:
-      return 0xC71585;
-    case BoundaryKind::self_collision:
-      return 0x8A2BE2;
-    case BoundaryKind::obstacle:
-      return 0xE07B00;
-    case BoundaryKind::workspace:
-      return 0x2E8B57;
-    case BoundaryKind::margin:
-      return 0xD9A400;
-    case BoundaryKind::limit:
-      break;
-  }
-  return 0x707070;
+const std::vector<BoundaryStyle>& boundary_styles() {
+  using Kind = BoundaryKind;
+  using Constraint = ConstraintKind;
+  static const std::vector<BoundaryStyle> styles{
+      {Kind::limit, 0x707070, "limit", "joint limit", "grey", {}},
+      {Kind::passive_limit, 0xA0826D, "passive_limit", "limit of a passive joint", "brown",
+       Constraint::passive_limits},
+      {Kind::cone, 0xC71585, "cone", "cone of a ball joint", "pink", Constraint::cones},
+      {Kind::self_collision, 0x8A2BE2, "self_collision", "links touch", "violet", Constraint::self_collision},
+      {Kind::obstacle, 0xE07B00, "obstacle", "obstacle", "orange", Constraint::obstacles},
+      {Kind::workspace, 0x2E8B57, "workspace", "workspace", "green", Constraint::workspace},
+      {Kind::margin, 0xD9A400, "margin", "margin from singularities", "yellow", Constraint::margins},
+      {Kind::serial, 0x00305A, "serial", "serial singularity, Bjj = 0", "blue", {}},
+      {Kind::parallel, 0xB00020, "parallel", "parallel singularity, det A = 0", "red", {}}};
+  return styles;
 }
 
-const std::vector<std::pair<BoundaryKind, const char*>>& boundary_words() {
-  static const std::vector<std::pair<BoundaryKind, const char*>> words{
-      {BoundaryKind::limit, "joint limit"},
-      {BoundaryKind::passive_limit, "limit of a passive joint"},
-      {BoundaryKind::cone, "cone of a ball joint"},
-      {BoundaryKind::self_collision, "links touch"},
-      {BoundaryKind::obstacle, "obstacle"},
-      {BoundaryKind::workspace, "workspace"},
-      {BoundaryKind::margin, "margin from singularities"},
-      {BoundaryKind::serial, "serial singularity, Bjj = 0"},
-      {BoundaryKind::parallel, "parallel singularity, det A = 0"}};
-  return words;
+const BoundaryStyle& style_of(BoundaryKind kind) {
+  return *std::find_if(boundary_styles().begin(), boundary_styles().end(),
+                       [kind](const BoundaryStyle& style) { return style.kind == kind; });
 }
 
-Rgb lightened(Rgb color, double share) {
+// Three colours that people with any colour vision tell apart (after Paul Tol's "high contrast" scheme).
+Rgb index_color(double index) { return color_along({0xBB5566, 0xDDAA33, 0x004488}, index); }
+
+// After Paul Tol's colour schemes for people with any colour vision.
+Rgb leg_color(std::size_t leg) {
+  constexpr std::array<Rgb, 6> colors{0x228833, 0xAA3377, 0xCCBB44, 0x66CCEE, 0xEE7733, 0x332288};
+  return colors[leg % colors.size()];
+}
+
+Rgb sign_color(int determinant_sign, bool pale) {
+  if (determinant_sign > 0) return pale ? 0xB4C8DD : 0x4477AA;
+  return pale ? 0xEBC2C9 : 0xCC6677;
+}
+
+Rgb mixed(Rgb one, Rgb other, double share) {
   Rgb result = 0;
   for (const unsigned shift : {16U, 8U, 0U}) {
-    const double from = channel(color, shift);
-    result |= static_cast<Rgb>(std::lround(from + share * (255.0 - from))) << shift;
+    const double from = channel(one, shift), to = channel(other, shift);
+    result |= static_cast<Rgb>(std::lround(from + share * (to - from))) << shift;
   }
   return result;
+}
+
+Rgb lightened(Rgb color, double share) { return mixed(color, 0xFFFFFF, share); }
+
+Rgb color_along(const std::vector<Rgb>& stops, double share) {
+  const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(stops.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+  return mixed(stops[below], stops[below + 1], place - static_cast<double>(below));
 }
 
 std::string color_text(Rgb color) {

@@ -100,7 +100,14 @@ class Map(SimpleNamespace):
         """What `plot` draws of a working mode, in the plane of phi [rad], z [m] or torsion [rad] at this level: "polygons",
         pairs of an id and corners of shape (m, 2), and "lines", pairs of what ends there and two ends of shape (2, 2).
         Traced on a grid of `cells` squared; for pictures, not certified."""
-        return self._core.trace(mode, real("level", level), count("cells", cells))
+        scene = self._scene(mode, level, cells)
+        return {
+            "polygons": [(area["aspect"], corners) for area in scene["areas"] for corners in area["polygons"]],
+            "lines": [(curves["kind"], ends) for curves in scene["curves"] for ends in curves["pieces"]],
+        }
+
+    def _scene(self, mode: Mode, level: float, cells: int) -> Dict[str, Any]:
+        return self._core.scene(mode, real("level", level), count("cells", cells))
 
     def plot(
         self,
@@ -110,7 +117,7 @@ class Map(SimpleNamespace):
         axes: Any = None,
     ) -> Any:
         """Draws the aspects with matplotlib, a picture for each working mode: filled, with their ids, and with what bounds
-        them. modes: by default all that have aspects; axes: as many matplotlib axes as there are modes. Returns the
+        them, in the colours of all pictures of this map. modes: by default all that have aspects; axes: as many matplotlib axes as there are modes. Returns the
         figure."""
         from ._plot import plot_map  # pylint: disable=import-outside-toplevel
 

@@ -4,13 +4,6 @@ from typing import Any, Dict, List
 
 import numpy as np
 
-LINES = {
-    "parallel": {"color": "#b2182b", "linewidth": 1.2},
-    "serial": {"color": "black", "linewidth": 1.0},
-}
-OTHER_LINE = {"color": "0.4", "linewidth": 0.8, "linestyle": ":"}
-
-
 def plot_map(aspect_map: Any, modes: Any, level: float, cells: int, axes: Any) -> Any:
     """See `Map.plot`."""
     chosen = _modes(aspect_map, modes)
@@ -18,7 +11,7 @@ def plot_map(aspect_map: Any, modes: Any, level: float, cells: int, axes: Any) -
         raise ValueError("There is no aspect to draw; map at a finer resolution, or in other working modes.")
     axes = _axes(len(chosen), axes)
     for each, mode in zip(axes, chosen):
-        _draw(each, aspect_map, mode, aspect_map.outlines(mode, level, cells))
+        _draw(each, str(mode), aspect_map._scene(mode, level, cells))  # pylint: disable=protected-access
     return axes[0].figure
 
 
@@ -45,25 +38,21 @@ def _axes(count: int, axes: Any) -> List[Any]:
     return given
 
 
-def _draw(axes: Any, aspect_map: Any, mode: Any, outlines: Dict[str, list]) -> None:
+def _draw(axes: Any, title: str, scene: Dict[str, Any]) -> None:
     from matplotlib.collections import LineCollection, PolyCollection  # pylint: disable=import-outside-toplevel
-    import matplotlib.pyplot as plt  # pylint: disable=import-outside-toplevel
 
-    palette = plt.get_cmap("tab20")
-    for number in sorted({number for number, _ in outlines["polygons"] if number > 0}):
-        polygons = [corners for which, corners in outlines["polygons"] if which == number]
-        color = palette((number - 1) % 20)
-        axes.add_collection(PolyCollection(polygons, facecolor=color, edgecolor=color, linewidth=0.3, label=str(number)))
-        axes.annotate(str(number), _label_place(polygons), ha="center", va="center")
-    for kind in sorted({kind for kind, _ in outlines["lines"]}):
-        lines = [ends for which, ends in outlines["lines"] if which == kind]
-        axes.add_collection(LineCollection(lines, label=kind, **LINES.get(kind, OTHER_LINE)))
-    axes.set_title(str(mode))
-    axes.set_aspect("equal")
+    for area in scene["areas"]:
+        color = area["color"]
+        axes.add_collection(PolyCollection(area["polygons"], facecolor=color, edgecolor=color, linewidth=0.3, label=area["title"]))
+        axes.annotate(area["label"], _label_place(area["polygons"]), ha="center", va="center", color=area["text_color"])
+    for curves in scene["curves"]:
+        axes.add_collection(LineCollection(curves["pieces"], color=curves["color"], linewidth=1.2, label=curves["words"]))
+    axes.set_title(title)
+    if scene["keeps_proportion"]:
+        axes.set_aspect("equal")
     axes.autoscale_view()
-    names = aspect_map.coordinates[:2] or ("tilt x", "tilt y")
-    axes.set_xlabel(f"{names[0]} [{'m' if names[0] in 'xyz' else 'rad'}]")
-    axes.set_ylabel(f"{names[-1]} [{'m' if names[-1] in 'xyz' else 'rad'}]")
+    axes.set_xlabel(scene["axes"][0])
+    axes.set_ylabel(scene["axes"][1])
 
 
 def _area(corners: np.ndarray) -> float:

@@ -4,11 +4,9 @@
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 #include "ros/messages/conversions.h"
-#include "ros/pictures/marker_colors.h"
-#include "ros/pictures/picture_parts.h"
+#include "ros/pictures/marker_batch.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 
@@ -19,14 +17,6 @@ using visualization_msgs::Marker;
 
 constexpr int steps_of_a_segment = 20;
 constexpr double line_width = 0.006, ball_width = 0.025;  // of the size of what is drawn
-
-std_msgs::ColorRGBA blended(const std_msgs::ColorRGBA& from, const std_msgs::ColorRGBA& to, float share) {
-  std_msgs::ColorRGBA result = from;
-  result.r += share * (to.r - from.r);
-  result.g += share * (to.g - from.g);
-  result.b += share * (to.b - from.b);
-  return result;
-}
 
 class PathDrawing {
  public:
@@ -66,7 +56,8 @@ class PathDrawing {
     line.points.push_back(point(pose));
     const InverseSolution solution = inverse(robot_, pose, mode);
     const bool solved = solution.status != InverseStatus::out_of_reach;  // else B_jj = 0, but for rounding
-    line.colors.push_back(solved ? color_of_index(parallel_index(robot_, pose, solution.q)) : ink());
+    line.colors.push_back(solved ? color(index_color(parallel_index(robot_, pose, solution.q)))
+                                 : color(ink_color));
   }
 
   visualization_msgs::MarkerArray take() { return std::move(array_); }
@@ -80,19 +71,10 @@ class PathDrawing {
 
 }  // namespace
 
-// Three colours that people with any colour vision tell apart (after Paul Tol's "high contrast" scheme).
-std_msgs::ColorRGBA color_of_index(double index) {
-  constexpr std::array<unsigned, 3> stops{0xBB5566, 0xDDAA33, 0x004488};
-  const double place = 2.0 * std::clamp(index, 0.0, 1.0);
-  const std::size_t below = place < 1.0 ? 0 : 1;
-  return blended(color(stops[below]), color(stops[below + 1]),
-                 static_cast<float>(place) - static_cast<float>(below));
-}
-
 visualization_msgs::MarkerArray path_markers(const Manipulator& manipulator, const PlannedPath& path,
                                              const PoseBetween& between, double radius) {
   PathDrawing drawing(manipulator, radius);
-  Marker& line = drawing.add("line", Marker::LINE_STRIP, line_width, ink());
+  Marker& line = drawing.add("line", Marker::LINE_STRIP, line_width, color(ink_color));
   drawing.extend(line, path.points.front().pose, path.points.front().mode);
   for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
     for (int step = 1; step <= steps_of_a_segment; ++step)
@@ -100,7 +82,7 @@ visualization_msgs::MarkerArray path_markers(const Manipulator& manipulator, con
                      between(path.points[i].pose, path.points[i + 1].pose,
                              static_cast<double>(step) / static_cast<double>(steps_of_a_segment)),
                      path.points[i].mode);
-  drawing.add("ends", Marker::SPHERE_LIST, ball_width, ink()).points = {
+  drawing.add("ends", Marker::SPHERE_LIST, ball_width, color(ink_color)).points = {
       drawing.point(path.points.front().pose), drawing.point(path.points.back().pose)};
   if (path.crossings.empty()) return drawing.take();
   Marker& gates =
@@ -170,8 +152,7 @@ visualization_msgs::MarkerArray workspace_markers(const AspectMap& map, const Wo
   marker.scale.x = extent.x();
   marker.scale.y = extent.y();
   marker.scale.z = extent.z();
-  marker.color = AspectColors(map).of(workspace.aspect);
-  marker.color.a = opacity;
+  marker.color = color(aspect_colors(map.aspects())[static_cast<std::size_t>(workspace.aspect - 1)], opacity);
   array.markers.push_back(std::move(marker));
   return array;
 }

@@ -5,15 +5,11 @@
 #include "parallel_aspects/aspects/regular_workspace.h"
 #include "parallel_aspects/motion/plan_path.h"
 
-#include <std_msgs/ColorRGBA.h>
 #include <visualization_msgs/MarkerArray.h>
 
 namespace parallel_aspects {
 
-/// From red at a parallel singularity over yellow to blue at best; `index` is the parallel one, 0 to 1.
-std_msgs::ColorRGBA color_of_index(double index);
-
-/// A path as a line, in the colours of `color_of_index`, that the operational point draws, in the base frame,
+/// A path as a line, in the colours of `index_color`, that the operational point draws, in the base frame,
 /// with a ball at its start, its goal and each crossing of a gate; where the platform only turns, the end of
 /// its z axis draws it, at `radius` [m]. It begins by deleting whatever its topic drew before. The path has
 /// one point or more.

@@ -5,7 +5,6 @@
 #include "ros/pictures/domain_picture.h"
 #include "ros/pictures/gauge_picture.h"
 #include "ros/pictures/map_picture.h"
-#include "ros/pictures/picture_parts.h"
 #include "ros/pictures/scene.h"
 #include "ros/pictures/slice_picture.h"
 
@@ -160,7 +159,7 @@ void Display::publish_position(const Drawn& now, const std::string& words) {
   const Caption caption = caption_of(scene_, words);
   MarkerBatch batch;
   batch.text({frames_.base, manipulator_->task_frame() * Eigen::Translation3d(caption.at)}, "caption",
-             Eigen::Vector2d::Zero(), 0.0, caption.text_height, caption.words, ink());
+             Eigen::Vector2d::Zero(), 0.0, caption.text_height, caption.words, color(ink_color));
   array.markers.push_back(batch.take().markers.back());
   draw_robots(now, array.markers);
   position_markers_.publish(array);
@@ -172,7 +171,7 @@ void Display::publish_position(const Drawn& now, const std::string& words) {
 void Display::draw_robots(const Drawn& now, std::vector<visualization_msgs::Marker>& markers) const {
   if (!now) return draw_candidates(markers);
   if (!visuals_.empty()) return;
-  for (auto& each : visuals_.skeleton_at(now->solved.pose, now->solved.q, "robot", ink()))
+  for (auto& each : visuals_.skeleton_at(now->solved.pose, now->solved.q, "robot", color(ink_color)))
     markers.push_back(std::move(each));
 }
 
@@ -184,7 +183,8 @@ void Display::draw_candidates(std::vector<visualization_msgs::Marker>& markers) 
   MarkerBatch names;
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const auto& [pose, q] = candidates_[i];
-    for (auto& each : visuals_.skeleton_at(pose, q, "candidate_" + std::to_string(i + 1), candidate_color(i)))
+    for (auto& each :
+         visuals_.skeleton_at(pose, q, "candidate_" + std::to_string(i + 1), color(candidate_color(i))))
       markers.push_back(std::move(each));
     draw_name(i, places[i], names);
   }
@@ -201,10 +201,10 @@ void Display::draw_name(std::size_t candidate, const Eigen::Vector3d& at, Marker
   const auto plane = [&](const Eigen::Vector3d& point) {
     return MarkerBatch::Plane{frames_.base, manipulator_->task_frame() * Eigen::Translation3d(point)};
   };
-  const auto shade = candidate_color(candidate);
-  batch.dots(plane(place), "candidate_names", {Eigen::Vector2d::Zero()}, 0.0, ball * height, shade);
+  const Rgb shade = candidate_color(candidate);
+  batch.dots(plane(place), "candidate_names", {Eigen::Vector2d::Zero()}, 0.0, ball * height, color(shade));
   batch.text(plane(place + 0.51 * ball * height * to_viewer), "candidate_names", Eigen::Vector2d::Zero(), 0.0,
-             height, candidate_name(candidate), readable_on(shade));
+             height, candidate_name(candidate), color(readable_on(shade)));
 }
 
 std::string Display::caption(const CurrentConfiguration& current, const std::string& map_message) const {

@@ -2,8 +2,6 @@
 #include "ros/pictures/domain_picture.h"
 
 #include "ros/pictures/marker_batch.h"
-#include "ros/pictures/marker_colors.h"
-#include "ros/pictures/picture_parts.h"
 
 #include "draw/surface/aspect_surface.h"
 #include <algorithm>
@@ -133,11 +131,12 @@ class AspectDrawing {
     batch_.text(flat_, group("frame"), top_ + Vector2d(0.0, 0.9 * text), 0.0, text,
                 "Basic regions of aspect " + std::to_string(aspect_) + ", " +
                     branch_text(aspect.mode, aspect.determinant_sign),
-                ink());
+                color(ink_color));
     const AlignedBox3d& box = layout_.box();
     for (const double end : {-1.0, 1.0})
       batch_.text(box_, group("frame"), {box.max().x() + 1.5 * text, box.max().y()},
-                  end * EIGEN_PI * layout_.radian(), 0.8 * text, end < 0.0 ? "phi = -pi" : "phi = pi", ink());
+                  end * EIGEN_PI * layout_.radian(), 0.8 * text, end < 0.0 ? "phi = -pi" : "phi = pi",
+                  color(ink_color));
   }
 
   void draw_region(std::size_t region, std::size_t hue, const RegionGrid& grid) {
@@ -149,7 +148,8 @@ class AspectDrawing {
     for (Vector3d& middle : middles) middle = middle.cwiseProduct(scale);
     batch_.cubes(box_, name, middles, grid.edges().cwiseProduct(scale), shade);
     batch_.dots(flat_, name, {line_}, 0.0, 0.7 * text, shade);
-    batch_.text(flat_, name, line_ + Vector2d(1.2 * text, 0.0), 0.0, text, std::to_string(region + 1), ink());
+    batch_.text(flat_, name, line_ + Vector2d(1.2 * text, 0.0), 0.0, text, std::to_string(region + 1),
+                color(ink_color));
     line_.y() -= 1.2 * text;
   }
 

@@ -2,8 +2,7 @@
 #include "ros/pictures/gauge_picture.h"
 
 #include "parallel_aspects/singularity/indices.h"
-#include "ros/pictures/marker_colors.h"
-#include "ros/pictures/picture_parts.h"
+#include "ros/pictures/plane_markers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +55,7 @@ void GaugePicture::draw(const Gauge& gauge, std::size_t row, MarkerBatch& batch)
   char value[16];
   std::snprintf(value, sizeof value, "  %.2f", gauge.share);
   batch.text(plane_, "gauges/labels", {0.5 * length, top - 0.15 * unit}, height_of(Layer::text, text), text,
-             gauge.label + value, ink());
+             gauge.label + value, color(ink_color));
   batch.lines(plane_, "gauges/frames", rectangle(0.5 * (lower + upper), upper - lower),
               height_of(Layer::frame, text), 0.04 * unit, color(0x808080));
   const double end = std::clamp(gauge.share, 0.0, 1.0) * length;
@@ -69,7 +68,7 @@ visualization_msgs::MarkerArray GaugePicture::gallery(const Drawn&) const {
   MarkerBatch batch;
   const double unit = row_height();
   batch.text(plane_, "gauges/title", {3.0 * unit, top_ - 0.2 * unit}, 0.0, 0.5 * unit,
-             "indices that are 0 at a singularity", ink());
+             "indices that are 0 at a singularity", color(ink_color));
   batch.text(plane_, "gauges/legend", {1.8 * unit, top_ - 0.9 * unit}, 0.0, 0.4 * unit, "parallel",
              color(boundary_color(BoundaryKind::parallel)));
   batch.text(plane_, "gauges/legend", {4.2 * unit, top_ - 0.9 * unit}, 0.0, 0.4 * unit, "serial",

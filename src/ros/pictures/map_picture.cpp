@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/map_picture.h"
 
-#include "ros/pictures/marker_colors.h"
-#include "ros/pictures/picture_parts.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <utility>
 
 namespace parallel_aspects {
@@ -72,9 +70,6 @@ using Points = MarkerBatch::Points;
 // Cells across the workspace, of the pictures at the robot, in a tile, and in joint space.
 constexpr int robot_cells = 160, tile_cells = 72, joint_cells = 40;
 
-// Where a label of an aspect has most room.
-Vector2d label_point(const Aspect& aspect) { return aspect.deepest.position.head<2>(); }
-
 // Heights of the fills of a tile, one over the other, as a share of that of texts: below its frame.
 constexpr double stack_height = 0.01;
 
@@ -104,10 +99,10 @@ std::vector<bool> covered(const Points& triangles, const JointWindow& window) {
   return inside;
 }
 
-bool overlap(const std::vector<const Points*>& images, const JointWindow& window) {
+bool overlap(const PlaneScene& scene, const JointWindow& window) {
   std::vector<int> counts(compared_points * compared_points, 0);
-  for (const Points* image : images) {
-    const std::vector<bool> inside = covered(*image, window);
+  for (const PlaneArea& area : scene.areas) {
+    const std::vector<bool> inside = covered(triangles_of(area), window);
     for (std::size_t i = 0; i < inside.size(); ++i) counts[i] += inside[i] ? 1 : 0;
   }
   return std::count_if(counts.begin(), counts.end(), [](int count) { return count > 1; }) > shared_at_borders;
@@ -127,7 +122,6 @@ std::string range_text(const JointWindow& window, const Manipulator& manipulator
 MapPicture::MapPicture(std::shared_ptr<const AspectMap> map, MarkerFrames frames,
                        const DisplayOptions& options)
     : map_(std::move(map)),
-      colors_(*map_),
       frames_(std::move(frames)),
       options_(options),
       projection_(map_),
@@ -137,31 +131,48 @@ MapPicture::MapPicture(std::shared_ptr<const AspectMap> map, MarkerFrames frames
   at_robot_ = {frames_.base, map_->manipulator()->task_frame() * behind};
   workspaces_ = {frames_.aspects, Eigen::Isometry3d::Identity()};
   joint_spaces_ = {frames_.joint_space, Eigen::Isometry3d::Identity()};
-  joint_triangles_.resize(map_->aspects().size());
-  for (const WorkingMode& mode : map_->working_modes()) add_mode(mode);
+  for (const WorkingMode& mode : map_->working_modes()) modes_.push_back(picture_of(mode));
 }
 
-void MapPicture::add_mode(const WorkingMode& mode) {
-  const PoseSlice all(TaskSpace::T2, 0.0);
-  const Eigen::AlignedBox2d bounds = slice_bounds(*map_);
-  const BoundaryPicture pieces = trace_slice(*map_, mode, all, bounds, joint_cells, Cells::single);
-  BoundaryPicture tile = trace_slice(*map_, mode, all, bounds, tile_cells);
-  auto joint_boundary = projection_.images(tile.segments, mode);
-  std::vector<const Points*> images;
-  for (const int id : aspects_of(mode)) {
-    Points& image = joint_triangles_[static_cast<std::size_t>(id - 1)];
-    image = projection_.triangles(id, pieces.slivers);
-    images.push_back(&image);
-  }
-  modes_.push_back({mode, trace_slice(*map_, mode, all, bounds, robot_cells), std::move(tile),
-                    std::move(joint_boundary), overlap(images, projection_.window())});
-}
-
-std::vector<int> MapPicture::aspects_of(const WorkingMode& mode) const {
-  std::vector<int> ids;
+// Those that are too small for the grid have an area without pieces, so that they are in the legend.
+MapPicture::ModePicture MapPicture::picture_of(const WorkingMode& mode) const {
+  std::set<int> ids;
   for (const Aspect& aspect : map_->aspects())
-    if (aspect.mode == mode) ids.push_back(aspect.id);
-  return ids;
+    if (aspect.mode == mode) ids.insert(aspect.id);
+  const PosePlane plane = plane_of(*map_);
+  const auto traced = [&](int cells, Cells merging) {
+    return trace_slice(*map_, mode, plane.slice, plane.bounds, cells, merging);
+  };
+  const BoundaryPicture tile = traced(tile_cells, Cells::merged);
+  ModePicture picture{
+      mode, pose_scene(*map_, plane, traced(robot_cells, Cells::merged), ids),
+      pose_scene(*map_, plane, tile, ids),
+      joint_scene(*map_, projection_, traced(joint_cells, Cells::single), ids, mode, Pieces::enlarged)};
+  picture.joints.boundaries = projection_.images(tile.segments, mode);
+  picture.overlaps = overlap(picture.joints, projection_.window());
+  return picture;
+}
+
+PlanePainter MapPicture::workspace(std::size_t column, MarkerBatch& batch) const {
+  const double text = layout_.text_height();
+  return {batch,
+          workspaces_,
+          "workspace",
+          text,
+          0.06 * text,
+          [this, column](const Vector2d& point) { return layout_.in_workspace_tile(point, column); }};
+}
+
+PlanePainter MapPicture::joint_space(std::size_t column, MarkerBatch& batch) const {
+  const double text = layout_.text_height();
+  return {batch,         joint_spaces_,
+          "joint_space", text,
+          0.06 * text,   [this, column](const Vector2d& q) { return layout_.in_joint_tile(q, column); }};
+}
+
+// Where a label of an aspect has most room.
+Vector2d MapPicture::label_point(const PlaneArea& area) const {
+  return map_->aspects()[static_cast<std::size_t>(area.aspect - 1)].deepest.position.head<2>();
 }
 
 visualization_msgs::MarkerArray MapPicture::gallery(const Drawn&) const {
@@ -170,7 +181,6 @@ visualization_msgs::MarkerArray MapPicture::gallery(const Drawn&) const {
   for (std::size_t column = 0; column < modes_.size(); ++column) {
     draw_workspace_tile(column, batch);
     draw_joint_tile(column, batch);
-    draw_titles(column, batch);
   }
   draw_legend(batch);
   return batch.take();
@@ -180,8 +190,21 @@ visualization_msgs::MarkerArray MapPicture::present(const Drawn& now) const {
   MarkerBatch batch;
   const auto column = now ? column_of(now->mode) : std::nullopt;
   if (!column) return batch.take();
-  draw_at_robot(*now, *column, batch);
-  if (options_.gallery) outline_in_gallery(*column, now->aspect, batch);
+  const ModePicture& picture = modes_[*column];
+  const double text = layout_.text_height();
+  const PlanePainter robot(batch, at_robot_, "robot", text, 0.1 * text);
+  for (const PlaneArea& area : picture.at_robot.areas) {
+    robot.area(area, now->aspect);
+    robot.label(area, label_point(area), text, now->aspect);
+  }
+  robot.outline(picture.at_robot, now->aspect);
+  robot.boundaries(picture.at_robot);
+  if (!options_.gallery) return batch.take();
+  workspace(*column, batch).outline(picture.tile, now->aspect);
+  joint_space(*column, batch).outline(picture.joints, now->aspect);
+  for (const PlaneArea& area : picture.joints.areas)  // the present aspect over the others
+    if (picture.overlaps && area.aspect == now->aspect)
+      joint_space(*column, batch).area(area, {}, 1.0F, 1.5 * stack_height * text, "/present");
   return batch.take();
 }
 
@@ -198,10 +221,11 @@ visualization_msgs::MarkerArray MapPicture::position(const Drawn& now) const {
   if (!column || !options_.gallery) return batch.take();
   const Vector2d pose = now->solved.pose.position.head<2>();
   const Vector2d q = projection_.window().wrapped(now->solved.q.head<2>());
-  draw_dot(workspaces_, "position/workspace", layout_.in_workspace_tile(pose, *column), layout_.text_height(),
-           batch);
-  draw_dot(joint_spaces_, "position/joint_space", layout_.in_joint_tile(q, *column), layout_.text_height(),
-           batch);
+  const double text = layout_.text_height();
+  PlanePainter(batch, workspaces_, "position/workspace", text, 0.0)
+      .dot(layout_.in_workspace_tile(pose, *column));
+  PlanePainter(batch, joint_spaces_, "position/joint_space", text, 0.0)
+      .dot(layout_.in_joint_tile(q, *column));
   return batch.take();
 }
 
@@ -221,125 +245,53 @@ std::optional<std::size_t> MapPicture::column_of(const WorkingMode& mode) const 
   return static_cast<std::size_t>(found - modes_.begin());
 }
 
-void MapPicture::draw_at_robot(const DrawnConfiguration& now, std::size_t column, MarkerBatch& batch) const {
-  const Placing place = [](const Vector2d& point) { return point; };
-  const double text = layout_.text_height();
-  for (const Aspect& aspect : map_->aspects()) {
-    if (aspect.mode != now.mode) continue;
-    const auto full = colors_.of(aspect.id);
-    const auto shade = aspect.id == now.aspect ? full : lightened(full, 0.65);
-    batch.triangles(at_robot_, "robot/aspects", sliver_triangles(modes_[column].at_robot.slivers, aspect.id),
-                    height_of(Layer::fill, text), shade);
-    batch.text(at_robot_, "robot/labels", label_point(aspect), height_of(Layer::text, text), text,
-               std::to_string(aspect.id), readable_on(shade));
-  }
-  const CurveStyle style{text, 0.1 * text};
-  draw_outline(modes_[column].at_robot.segments, now.aspect, place, style, at_robot_, "robot", batch);
-  draw_curves(modes_[column].at_robot.segments, place, style, at_robot_, "robot", batch);
-}
-
-void MapPicture::outline_in_gallery(std::size_t column, int aspect, MarkerBatch& batch) const {
-  const CurveStyle style{layout_.text_height(), 0.06 * layout_.text_height()};
-  draw_outline(
-      modes_[column].tile.segments, aspect,
-      [&](const Vector2d& x) { return layout_.in_workspace_tile(x, column); }, style, workspaces_,
-      "workspace", batch);
-  draw_outline(
-      modes_[column].joint_boundary, aspect,
-      [&](const Vector2d& q) { return layout_.in_joint_tile(q, column); }, style, joint_spaces_,
-      "joint_space", batch);
-  if (modes_[column].overlaps) draw_over_others(column, aspect, batch);
-}
-
-// The present aspect over the others.
-void MapPicture::draw_over_others(std::size_t column, int aspect, MarkerBatch& batch) const {
-  if (aspect == 0) return;
-  const double text = layout_.text_height();
-  batch.triangles(joint_spaces_, "joint_space/present",
-                  placed(joint_triangles_[static_cast<std::size_t>(aspect - 1)],
-                         [&](const Vector2d& q) { return layout_.in_joint_tile(q, column); }),
-                  height_of(Layer::fill, text) + 1.5 * stack_height * text, colors_.of(aspect));
-}
-
 void MapPicture::draw_workspace_tile(std::size_t column, MarkerBatch& batch) const {
   const double text = layout_.text_height();
-  const Placing place = [&](const Vector2d& point) { return layout_.in_workspace_tile(point, column); };
-  for (const Aspect& aspect : map_->aspects()) {
-    if (aspect.mode != modes_[column].mode) continue;
-    const auto fill = colors_.of(aspect.id);
-    batch.triangles(workspaces_, "workspace/aspects",
-                    placed(sliver_triangles(modes_[column].tile.slivers, aspect.id), place),
-                    height_of(Layer::fill, text), fill);
-    batch.text(workspaces_, "workspace/labels", place(label_point(aspect)), height_of(Layer::text, text),
-               0.8 * text, std::to_string(aspect.id), readable_on(fill));
+  const PlaneScene& tile = modes_[column].tile;
+  const PlanePainter painter = workspace(column, batch);
+  const Vector2d middle = layout_.workspace_tile_center(column),
+                 half_up(0.0, 0.5 * layout_.workspace_tile_size().y());
+  Vector2d line = middle - half_up - Vector2d(0.0, 0.9 * text);
+  for (const PlaneArea& area : tile.areas) {
+    painter.area(area);
+    painter.label(area, label_point(area), 0.8 * text);
+    painter.words("/sizes", line, 0.8 * text, area.title);
+    line.y() -= 0.95 * text;
   }
-  draw_curves(modes_[column].tile.segments, place, {text, 0.06 * text}, workspaces_, "workspace", batch);
-}
-
-void MapPicture::draw_joint_tile(std::size_t column, MarkerBatch& batch) const {
-  const double text = layout_.text_height();
-  const Placing place = [&](const Vector2d& q) { return layout_.in_joint_tile(q, column); };
-  const ModePicture& picture = modes_[column];
-  const std::vector<int> ids = aspects_of(picture.mode);
-  double height = height_of(Layer::fill, text);
-  for (const int id : ids) {
-    batch.triangles(joint_spaces_, "joint_space/aspects",
-                    placed(joint_triangles_[static_cast<std::size_t>(id - 1)], place), height,
-                    colors_.of(id));
-    height += stack_height * text / static_cast<double>(ids.size());
-  }
-  if (picture.overlaps) draw_several(column, batch);
-  draw_curves(modes_[column].joint_boundary, place, {text, 0.06 * text}, joint_spaces_, "joint_space", batch);
-  batch.lines(joint_spaces_, "joint_space/window",
-              rectangle(layout_.joint_tile_center(column), layout_.joint_tile_size()),
-              height_of(Layer::frame, text), 0.04 * text, color(0x808080));
-}
-
-void MapPicture::draw_titles(std::size_t column, MarkerBatch& batch) const {
-  const double text = layout_.text_height();
-  const double layer = height_of(Layer::text, text);
-  const Vector2d up = Vector2d::UnitY();
-  const Vector2d top =
-      layout_.workspace_tile_center(column) + (0.5 * layout_.workspace_tile_size().y() + text) * up;
-  batch.text(workspaces_, "workspace/titles", top, layer, text,
-             "working mode " + to_string(modes_[column].mode), ink());
-
-  const TaskSpace space = map_->manipulator()->task_space();
-  Vector2d line =
-      layout_.workspace_tile_center(column) - (0.5 * layout_.workspace_tile_size().y() + 0.9 * text) * up;
-  for (const Aspect& aspect : map_->aspects()) {
-    if (aspect.mode != modes_[column].mode) continue;
-    batch.text(workspaces_, "workspace/sizes", line, layer, 0.8 * text, legend_text(aspect, space), ink());
-    line -= 0.95 * text * up;
-  }
-  Vector2d below =
-      layout_.joint_tile_center(column) - (0.5 * layout_.joint_tile_size().y() + 0.7 * text) * up;
-  for (std::size_t leg = 0; leg < 2; ++leg) {
-    batch.text(joint_spaces_, "joint_space/axes", below, layer, 0.75 * text,
-               range_text(projection_.window(), *map_->manipulator(), leg), ink());
-    below -= 0.95 * text * up;
-  }
+  painter.boundaries(tile);
+  painter.words("/titles", middle + half_up + Vector2d(0.0, text), text,
+                "working mode " + to_string(modes_[column].mode));
 }
 
 // Projections overlap where there are several assembly modes.
-void MapPicture::draw_several(std::size_t column, MarkerBatch& batch) const {
+void MapPicture::draw_joint_tile(std::size_t column, MarkerBatch& batch) const {
   const double text = layout_.text_height();
-  const Vector2d below(0.0, 0.5 * layout_.joint_tile_size().y() + 2.6 * text);
-  batch.text(joint_spaces_, "joint_space/several", layout_.joint_tile_center(column) - below,
-             height_of(Layer::text, text), 0.6 * text, "several aspects, one over another", ink());
+  const ModePicture& picture = modes_[column];
+  const PlanePainter painter = joint_space(column, batch);
+  double height = 0.0;
+  for (const PlaneArea& area : picture.joints.areas) {
+    painter.area(area, {}, 1.0F, height);
+    height += stack_height * text / static_cast<double>(picture.joints.areas.size());
+  }
+  painter.boundaries(picture.joints);
+  const Vector2d middle = layout_.joint_tile_center(column);
+  painter.frame("/window", middle, layout_.joint_tile_size(), 0x808080, 0.04 * text);
+  Vector2d below = middle - Vector2d(0.0, 0.5 * layout_.joint_tile_size().y() + 0.7 * text);
+  for (std::size_t leg = 0; leg < 2; ++leg) {
+    painter.words("/axes", below, 0.75 * text, range_text(projection_.window(), *map_->manipulator(), leg));
+    below.y() -= 0.95 * text;
+  }
+  if (picture.overlaps) painter.words("/several", below, 0.6 * text, "several aspects, one over another");
 }
 
 void MapPicture::draw_legend(MarkerBatch& batch) const {
   const double text = layout_.text_height();
-  const Vector2d below(0.0, -0.5 * layout_.joint_tile_size().y() - 4.0 * text);
   const Vector2d step = layout_.joint_tile_center(1) - layout_.joint_tile_center(0);
-  std::vector<BoundarySegment> all;
-  for (const ModePicture& mode : modes_)
-    all.insert(all.end(), mode.tile.segments.begin(), mode.tile.segments.end());
-  Vector2d at = below;
-  for (const auto& [kind, words] : boundary_legend(all)) {
-    batch.text(joint_spaces_, "joint_space/legend", at, height_of(Layer::text, text), 0.8 * text, words,
-               color(boundary_color(kind)));
+  Vector2d at(0.0, -0.5 * layout_.joint_tile_size().y() - 4.0 * text);
+  std::set<BoundaryKind> kinds;
+  for (const ModePicture& mode : modes_) kinds.merge(kinds_of(mode.tile.boundaries));
+  for (const LegendEntry& entry : boundary_legend(kinds)) {
+    joint_space(0, batch).words("/legend", at, 0.8 * text, entry.text, entry.color);
     at += modes_.size() > 2 ? Vector2d(1.5 * step) : Vector2d(0.0, -1.1 * text);
   }
 }

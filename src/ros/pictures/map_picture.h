@@ -5,9 +5,8 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/parameters/node_options.h"
-#include "ros/pictures/marker_batch.h"
-#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture.h"
+#include "ros/pictures/plane_markers.h"
 
 #include <Eigen/Geometry>
 
@@ -71,32 +70,27 @@ class MapPicture : public Picture {
  private:
   struct ModePicture {
     WorkingMode mode;
-    BoundaryPicture at_robot, tile;               // in the workspace, finely and less so
-    std::vector<BoundarySegment> joint_boundary;  // in joint space
-    bool overlaps = false;                        // whether several aspects lie over the same joint values
+    PlaneScene at_robot, tile;  // in the workspace, finely and less so
+    PlaneScene joints;          // in joint space
+    bool overlaps = false;      // whether several aspects lie over the same joint values
   };
 
   std::optional<std::size_t> column_of(const WorkingMode& mode) const;
-  void add_mode(const WorkingMode& mode);
-  void draw_at_robot(const DrawnConfiguration& now, std::size_t column, MarkerBatch& batch) const;
-  void outline_in_gallery(std::size_t column, int aspect, MarkerBatch& batch) const;
-  void draw_over_others(std::size_t column, int aspect, MarkerBatch& batch) const;
-  std::vector<int> aspects_of(const WorkingMode& mode) const;
+  ModePicture picture_of(const WorkingMode& mode) const;
+  PlanePainter workspace(std::size_t column, MarkerBatch& batch) const;
+  PlanePainter joint_space(std::size_t column, MarkerBatch& batch) const;
+  Eigen::Vector2d label_point(const PlaneArea& area) const;
   void draw_workspace_tile(std::size_t column, MarkerBatch& batch) const;
   void draw_joint_tile(std::size_t column, MarkerBatch& batch) const;
-  void draw_several(std::size_t column, MarkerBatch& batch) const;
-  void draw_titles(std::size_t column, MarkerBatch& batch) const;
   void draw_legend(MarkerBatch& batch) const;
 
   std::shared_ptr<const AspectMap> map_;
-  AspectColors colors_;
   MarkerFrames frames_;
   DisplayOptions options_;
   JointProjection projection_;
   GalleryLayout layout_;
   MarkerBatch::Plane at_robot_, workspaces_, joint_spaces_;
-  std::vector<ModePicture> modes_;                // a column each
-  std::vector<TriangleCorners> joint_triangles_;  // by aspect id - 1
+  std::vector<ModePicture> modes_;  // a column each
 };
 
 }  // namespace parallel_aspects

@@ -30,6 +30,15 @@ void set_points(Marker& marker, const std::vector<Eigen::Vector3d>& points) {
 
 }  // namespace
 
+std_msgs::ColorRGBA color(Rgb rgb, float opacity) {
+  std_msgs::ColorRGBA result;
+  result.r = static_cast<float>(rgb >> 16U & 0xFFU) / 255.0F;
+  result.g = static_cast<float>(rgb >> 8U & 0xFFU) / 255.0F;
+  result.b = static_cast<float>(rgb & 0xFFU) / 255.0F;
+  result.a = opacity;
+  return result;
+}
+
 MarkerBatch::MarkerBatch() {
   array_.markers.resize(1);
   array_.markers.front().action = Marker::DELETEALL;
@@ -107,6 +116,15 @@ void MarkerBatch::text(const Plane& plane, const std::string& group, const Eigen
 std::vector<Marker> added_by(visualization_msgs::MarkerArray batch) {
   batch.markers.erase(batch.markers.begin());
   return std::move(batch.markers);
+}
+
+geometry_msgs::TransformStamped still_frame(const std::string& base, const std::string& name,
+                                            const Eigen::Isometry3d& pose) {
+  geometry_msgs::TransformStamped message;
+  message.header.frame_id = base;
+  message.child_frame_id = name;
+  message.transform = transform_message(pose);
+  return message;
 }
 
 }  // namespace parallel_aspects

@@ -5,11 +5,16 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "draw/plane/palette.h"
+#include <geometry_msgs/TransformStamped.h>
+#include <std_msgs/ColorRGBA.h>
 #include <string>
 #include <vector>
 #include <visualization_msgs/MarkerArray.h>
 
 namespace parallel_aspects {
+
+std_msgs::ColorRGBA color(Rgb rgb, float opacity = 1.0F);
 
 /// A list of planar drawings for rviz, with stamp zero and ids that count up within each namespace. It begins
 /// by deleting whatever its topic drew before.
@@ -61,6 +66,10 @@ class MarkerBatch {
 
 /// The markers of a batch without what deletes all others.
 std::vector<visualization_msgs::Marker> added_by(visualization_msgs::MarkerArray batch);
+
+/// A frame that stands still in the base frame; its stamp is zero.
+geometry_msgs::TransformStamped still_frame(const std::string& base, const std::string& name,
+                                            const Eigen::Isometry3d& pose);
 
 }  // namespace parallel_aspects
 

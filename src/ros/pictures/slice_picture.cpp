@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/slice_picture.h"
 
-#include "ros/pictures/marker_colors.h"
-#include "ros/pictures/picture_parts.h"
-
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -43,25 +40,6 @@ Points square(const Vector2d& center, double side) {
   return {center - across, center + down, center + across, center - across, center + across, center - down};
 }
 
-std::set<int> aspects_of(const BoundaryPicture& traced) {
-  std::set<int> ids;
-  for (const BoundarySliver& sliver : traced.slivers) ids.insert(sliver.aspect);
-  return ids;
-}
-
-void fill(const BoundaryPicture& traced, const AspectColors& colors, const Placing& place,
-          const MarkerBatch::Plane& plane, const std::string& group, double height, int highlighted,
-          float opacity, MarkerBatch& batch) {
-  for (const int id : aspects_of(traced)) {
-    const auto full = colors.of(id);
-    const bool pale = highlighted != 0 && id != highlighted;
-    auto shade = pale ? lightened(full, 0.65) : full;
-    shade.a = opacity;
-    batch.triangles(plane, group + "/aspects", placed(sliver_triangles(traced.slivers, id), place), height,
-                    shade);
-  }
-}
-
 // Whether the platform of a planar robot is as large as where its middle goes, so that it hides a slice below
 // it.
 bool is_hidden(const AspectMap& map) {
@@ -80,7 +58,7 @@ bool is_hidden(const AspectMap& map) {
 SlicePicture::SlicePicture(std::shared_ptr<const AspectMap> map, MarkerFrames frames, const Scene& scene,
                            const DisplayOptions& options)
     : map_(std::move(map)),
-      colors_(*map_),
+      colors_(aspect_colors(map_->aspects())),
       space_(map_->manipulator()->task_space()),
       frames_(std::move(frames)),
       scene_(scene),
@@ -96,9 +74,12 @@ PoseSlice SlicePicture::slice(const Drawn& now) const {
   return now ? PoseSlice::through(space_, now->solved.pose) : PoseSlice(space_, first_level_);
 }
 
-Vector2d SlicePicture::in_tile(const Vector2d& point, std::size_t tile) const {
+PlanePainter SlicePicture::painter(std::size_t tile, const std::string& group, double text,
+                                   MarkerBatch& batch) const {
   const double scale = scene_.tiles.side() / bounds_.sizes().maxCoeff();
-  return scene_.tiles.center(tile) + scale * (point - bounds_.center());
+  return {batch, gallery_plane_, group, text, 0.09 * text, [this, tile, scale](const Vector2d& point) {
+            return Vector2d(scene_.tiles.center(tile) + scale * (point - bounds_.center()));
+          }};
 }
 
 std::optional<std::size_t> SlicePicture::tile_of(const WorkingMode& mode) const {
@@ -111,42 +92,43 @@ std::optional<std::size_t> SlicePicture::tile_of(const WorkingMode& mode) const 
 visualization_msgs::MarkerArray SlicePicture::gallery(const Drawn& now) const {
   MarkerBatch batch;
   if (!options_.gallery) return batch.take();
-  std::vector<BoundarySegment> all;
+  const PosePlane plane = plane_of(*map_, slice(now));
+  std::set<BoundaryKind> kinds;
   for (std::size_t tile = 0; tile < map_->working_modes().size(); ++tile) {
-    const BoundaryPicture traced =
-        trace_slice(*map_, map_->working_modes()[tile], slice(now), bounds_, slice_tile_cells);
-    draw_tile(tile, traced, batch);
-    draw_titles(tile, traced, now, batch);
-    all.insert(all.end(), traced.segments.begin(), traced.segments.end());
+    const PlaneScene scene = pose_scene(*map_, plane, map_->working_modes()[tile], slice_tile_cells);
+    draw_tile(tile, scene, batch);
+    draw_titles(tile, scene, now, batch);
+    kinds.merge(kinds_of(scene.boundaries));
   }
   const double text = scene_.tiles.text_height();
-  const double height = height_of(Layer::text, text);
-  batch.text(gallery_plane_, "gallery/title", {0.5 * scene_.tiles.width(), 1.0 * text}, height, 1.2 * text,
-             "aspects at " + slice(now).text(), ink());
+  const PlanePainter whole = painter(0, "gallery", text, batch);
+  whole.words("/title", {0.5 * scene_.tiles.width(), 1.0 * text}, 1.2 * text,
+              "aspects at " + plane.slice.text());
   Vector2d at(0.5 * scene_.tiles.width(), -scene_.tiles.height() - 0.5 * text);
-  for (const auto& [kind, words] : boundary_legend(all)) {
-    batch.text(gallery_plane_, "gallery/legend", at, height, 0.9 * text, words, color(boundary_color(kind)));
+  for (const LegendEntry& entry : boundary_legend(kinds)) {
+    whole.words("/legend", at, 0.9 * text, entry.text, entry.color);
     at.y() -= 1.2 * text;
   }
   return batch.take();
 }
 
-void SlicePicture::draw_tile(std::size_t tile, const BoundaryPicture& traced, MarkerBatch& batch) const {
+void SlicePicture::draw_tile(std::size_t tile, const PlaneScene& scene, MarkerBatch& batch) const {
   const double text = scene_.tiles.text_height();
-  const Placing place = [&](const Vector2d& point) { return in_tile(point, tile); };
-  fill(traced, colors_, place, gallery_plane_, "gallery", height_of(Layer::fill, text), 0, 1.0F, batch);
-  draw_curves(traced.segments, place, {text, 0.09 * text}, gallery_plane_, "gallery", batch);
-  batch.lines(gallery_plane_, "gallery/frame",
-              rectangle(scene_.tiles.center(tile), Vector2d::Constant(scene_.tiles.side())),
-              height_of(Layer::frame, text), 0.04 * text, color(0xB0B0B0));
+  const PlanePainter painted = painter(tile, "gallery", text, batch);
+  for (const PlaneArea& area : scene.areas) painted.area(area);
+  painted.boundaries(scene);
+  painted.frame("/frame", scene_.tiles.center(tile), Vector2d::Constant(scene_.tiles.side()), 0xB0B0B0,
+                0.04 * text);
 }
 
 // Of those that are drawn the first, and always the present one.
-std::vector<int> SlicePicture::legend(const std::set<int>& drawn, const WorkingMode& mode,
+std::vector<int> SlicePicture::legend(const PlaneScene& scene, const WorkingMode& mode,
                                       const Drawn& now) const {
-  std::vector<int> ids(drawn.begin(), drawn.end());
+  std::vector<int> ids;
+  for (const PlaneArea& area : scene.areas) ids.push_back(area.aspect);
   const bool here = now && now->mode == mode && now->aspect != 0;
-  if (here && drawn.count(now->aspect) == 0) ids.push_back(now->aspect);  // thinner than the grid shows
+  if (here && std::count(ids.begin(), ids.end(), now->aspect) == 0)
+    ids.push_back(now->aspect);  // thinner than the grid shows
   if (ids.size() <= max_lines) return ids;
   const bool hidden =
       here && std::find(ids.begin(), ids.begin() + max_lines, now->aspect) == ids.begin() + max_lines;
@@ -155,28 +137,26 @@ std::vector<int> SlicePicture::legend(const std::set<int>& drawn, const WorkingM
   return ids;
 }
 
-void SlicePicture::draw_titles(std::size_t tile, const BoundaryPicture& traced, const Drawn& now,
+void SlicePicture::draw_titles(std::size_t tile, const PlaneScene& scene, const Drawn& now,
                                MarkerBatch& batch) const {
-  const double text = scene_.tiles.text_height();
-  const double height = height_of(Layer::text, text);
+  const double text = scene_.tiles.text_height(), side = scene_.tiles.side();
   const WorkingMode& mode = map_->working_modes()[tile];
-  const Vector2d half_up(0.0, 0.5 * scene_.tiles.side());
-  batch.text(gallery_plane_, "gallery/modes", scene_.tiles.center(tile) + half_up + Vector2d(0.0, 0.8 * text),
-             height, text, "mode " + to_string(mode), ink());
-  Vector2d line = scene_.tiles.center(tile) - half_up - Vector2d(0.0, 0.7 * text);
-  const std::set<int> drawn = aspects_of(traced);
-  const std::vector<int> shown = legend(drawn, mode, now);
+  const Vector2d middle = scene_.tiles.center(tile);
+  const PlanePainter painted = painter(tile, "gallery", text, batch);
+  painted.words("/modes", middle + Vector2d(0.0, 0.5 * side + 0.8 * text), text, "mode " + to_string(mode));
+  Vector2d line = middle - Vector2d(0.0, 0.5 * side + 0.7 * text);
+  const std::vector<int> shown = legend(scene, mode, now);
   for (const int id : shown) {
-    const Vector2d swatch = line - Vector2d(0.5 * scene_.tiles.side() + 0.4 * text, 0.0);
-    batch.triangles(gallery_plane_, "gallery/swatches", square(swatch, 0.6 * text),
-                    height_of(Layer::fill, text), colors_.of(id));
-    batch.text(gallery_plane_, "gallery/sizes", line, height, 0.75 * text,
-               legend_text(map_->aspects()[static_cast<std::size_t>(id - 1)], space_), ink());
+    const auto index = static_cast<std::size_t>(id - 1);
+    batch.triangles(gallery_plane_, "gallery/swatches",
+                    square(line - Vector2d(0.5 * side + 0.4 * text, 0.0), 0.6 * text), 0.0,
+                    color(colors_[index]));
+    painted.words("/sizes", line, 0.75 * text, aspect_words(*map_, map_->aspects()[index]));
     line.y() -= 0.9 * text;
   }
-  if (drawn.size() > shown.size())
-    batch.text(gallery_plane_, "gallery/sizes", line, height, 0.75 * text,
-               "and " + std::to_string(drawn.size() - shown.size()) + " more here", ink());
+  if (scene.areas.size() > shown.size())
+    painted.words("/sizes", line, 0.75 * text,
+                  "and " + std::to_string(scene.areas.size() - shown.size()) + " more here");
 }
 
 visualization_msgs::MarkerArray SlicePicture::present(const Drawn& now) const {
@@ -185,39 +165,39 @@ visualization_msgs::MarkerArray SlicePicture::present(const Drawn& now) const {
   if (!tile) return batch.take();
   const double text = scene_.tiles.text_height();
   if (options_.gallery)
-    batch.lines(gallery_plane_, "gallery/present",
-                rectangle(scene_.tiles.center(*tile), Vector2d::Constant(1.03 * scene_.tiles.side())),
-                height_of(Layer::outline, text), 0.14 * text, ink());
+    painter(*tile, "gallery", text, batch)
+        .frame("/present", scene_.tiles.center(*tile), Vector2d::Constant(1.03 * scene_.tiles.side()),
+               ink_color, 0.14 * text, Layer::outline);
   if (has_translation(space_)) draw_at_robot(*now, batch);
   return batch.take();
 }
 
 void SlicePicture::draw_at_robot(const DrawnConfiguration& now, MarkerBatch& batch) const {
-  const PoseSlice slice = PoseSlice::through(space_, now.solved.pose);
-  const BoundaryPicture traced = trace_slice(*map_, now.mode, slice, bounds_, slice_robot_cells);
+  const PosePlane drawn = plane_of(*map_, PoseSlice::through(space_, now.solved.pose));
+  const PlaneScene scene = pose_scene(*map_, drawn, now.mode, slice_robot_cells);
   // In front of the base, and behind or below the platform and its joints, which it would hide; above a
   // platform that would hide all of it. One of T3 is also looked through: it comes seldom, so that a platform
   // that moves fast may be below it.
   const bool is_above = is_hidden(*map_);
-  const double height = (space_ == TaskSpace::T3 ? slice.level() : 0.0) +
+  const double height = (space_ == TaskSpace::T3 ? drawn.slice.level() : 0.0) +
                         (is_above ? 0.1 : -0.02) * map_->manipulator()->size();
   const MarkerBatch::Plane plane{frames_.base,
                                  map_->manipulator()->task_frame() * Eigen::Translation3d(0.0, 0.0, height),
                                  scene_.planar};  // seen at a flat angle, it would be dark
-  const Placing place = [](const Vector2d& point) { return point; };
   const double unit = 0.06 * bounds_.sizes().maxCoeff();
-  fill(traced, colors_, place, plane, "robot", 0.0, now.aspect == 0 ? -1 : now.aspect,
-       space_ == TaskSpace::T3 || is_above ? 0.6F : 1.0F, batch);
-  draw_outline(traced.segments, now.aspect, place, {unit, 0.06 * unit}, plane, "robot", batch);
-  draw_curves(traced.segments, place, {unit, 0.06 * unit}, plane, "robot", batch);
+  const PlanePainter painted(batch, plane, "robot", unit, 0.06 * unit);
+  for (const PlaneArea& area : scene.areas)
+    painted.area(area, now.aspect, space_ == TaskSpace::T3 || is_above ? 0.6F : 1.0F);
+  painted.outline(scene, now.aspect);
+  painted.boundaries(scene);
 }
 
 visualization_msgs::MarkerArray SlicePicture::position(const Drawn& now) const {
   MarkerBatch batch;
   const auto tile = now ? tile_of(now->mode) : std::nullopt;
   if (!tile || !options_.gallery) return batch.take();
-  draw_dot(gallery_plane_, "position", in_tile(PoseSlice::point(space_, now->solved.pose), *tile),
-           1.3 * scene_.tiles.text_height(), batch);
+  painter(*tile, "position", 1.3 * scene_.tiles.text_height(), batch)
+      .dot(PoseSlice::point(space_, now->solved.pose));
   return batch.take();
 }
 

@@ -3,14 +3,13 @@
 #define PARALLEL_ASPECTS_ROS_PICTURES_SLICE_PICTURE_H
 
 #include "ros/parameters/node_options.h"
-#include "ros/pictures/marker_batch.h"
-#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture.h"
+#include "ros/pictures/plane_markers.h"
 #include "ros/pictures/scene.h"
 
 #include "draw/plane/map_pictures.h"
 #include <memory>
-#include <set>
+#include <string>
 #include <vector>
 
 namespace parallel_aspects {
@@ -34,15 +33,14 @@ class SlicePicture : public Picture {
   PoseSlice slice(const Drawn& now) const;
   double level_change(const Drawn& before, const Drawn& now) const;
   std::optional<std::size_t> tile_of(const WorkingMode& mode) const;
-  Eigen::Vector2d in_tile(const Eigen::Vector2d& point, std::size_t tile) const;
-  void draw_tile(std::size_t tile, const BoundaryPicture& traced, MarkerBatch& batch) const;
-  std::vector<int> legend(const std::set<int>& drawn, const WorkingMode& mode, const Drawn& now) const;
-  void draw_titles(std::size_t tile, const BoundaryPicture& traced, const Drawn& now,
-                   MarkerBatch& batch) const;
+  PlanePainter painter(std::size_t tile, const std::string& group, double text, MarkerBatch& batch) const;
+  void draw_tile(std::size_t tile, const PlaneScene& scene, MarkerBatch& batch) const;
+  std::vector<int> legend(const PlaneScene& scene, const WorkingMode& mode, const Drawn& now) const;
+  void draw_titles(std::size_t tile, const PlaneScene& scene, const Drawn& now, MarkerBatch& batch) const;
   void draw_at_robot(const DrawnConfiguration& now, MarkerBatch& batch) const;
 
   std::shared_ptr<const AspectMap> map_;
-  AspectColors colors_;
+  std::vector<Rgb> colors_;  // by id - 1
   TaskSpace space_;
   MarkerFrames frames_;
   Scene scene_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/linear_algebra.h"
 #include "parallel_aspects/model/constraints.h"
-#include "ros/pictures/marker_colors.h"
+#include "ros/pictures/marker_batch.h"
 #include "ros/probe/probe_handle.h"
 
 #include <array>

@@ -4,7 +4,6 @@
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/messages/configurations.h"
 #include "ros/pictures/marker_batch.h"
-#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/scene.h"
 
 #include <parallel_aspects/Configuration.h>

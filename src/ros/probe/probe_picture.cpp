@@ -3,8 +3,7 @@
 
 #include "parallel_aspects/motion/motion_guard.h"
 #include "ros/messages/conversions.h"
-#include "ros/pictures/marker_colors.h"
-#include "ros/pictures/picture_parts.h"
+#include "ros/pictures/marker_batch.h"
 #include "ros/pictures/scene.h"
 
 #include <algorithm>
@@ -164,7 +163,7 @@ void ProbePicture::draw_words(const ProbeFinding& finding, Markers& markers) con
   } else {
     at = {at.x(), scene_.robot.min().y(), scene_.robot.min().z() - room};  // before it, as it is seen
   }
-  Marker text = marker("probe/words", Marker::TEXT_VIEW_FACING, ink());
+  Marker text = marker("probe/words", Marker::TEXT_VIEW_FACING, color(ink_color));
   text.pose = pose_message(robot_.task_frame() * Eigen::Translation3d(at));
   text.scale.z = caption.text_height;
   text.text = caption.words;

@@ -38,13 +38,4 @@ void append(PicturePart&& part, PicturePart& to) {
   append_all(std::move(part.labels), to.labels);
 }
 
-std::uint32_t mixed(std::uint32_t one, std::uint32_t other, double share) {
-  std::uint32_t result = 0;
-  for (const unsigned shift : {0U, 8U, 16U}) {
-    const double a = one >> shift & 0xFFU, b = other >> shift & 0xFFU;
-    result |= static_cast<std::uint32_t>(std::lround(a + share * (b - a))) << shift;
-  }
-  return result;
-}
-
 }  // namespace parallel_aspects

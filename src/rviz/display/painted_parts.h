@@ -75,9 +75,6 @@ void move(PicturePart& part, double scale, const Eigen::Vector3d& offset);
 
 void append(PicturePart&& part, PicturePart& to);
 
-/// `share` of the way from one colour to the other.
-std::uint32_t mixed(std::uint32_t one, std::uint32_t other, double share);
-
 /// What the sets of a picture are called: with six degrees of freedom they are of the positions at one
 /// orientation.
 inline std::string set_word(TaskSpace space) { return space == TaskSpace::SE3 ? "part" : "aspect"; }

@@ -3,7 +3,6 @@
 
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/labels/placed_labels.h"
-#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/robot_visuals.h"
 #include "rviz/display/workspace_painter.h"
 
@@ -24,7 +23,7 @@ struct Dot {
 
 Ogre::ColourValue color_of(const PresentPoints::Configuration& configuration) {
   if (!configuration.candidate) return Ogre::ColourValue(0.05F, 0.05F, 0.05F, 1.0F);
-  return ogre_color(candidate_rgb(*configuration.candidate));
+  return ogre_color(candidate_color(*configuration.candidate));
 }
 
 void add_dots(const SurfacePicture& picture, const Manipulator& robot, const Vector3d& placement,
@@ -96,7 +95,7 @@ void PresentPoints::show_names(const Manipulator& robot, double radius, const Co
   names_.clear();
   const auto height = static_cast<float>(candidate_name_height * drawn_size(robot, radius));
   for (const auto& [candidate, at] : named_)
-    names_.push_back(std::make_unique<HaloedText>(candidate_name(candidate), candidate_rgb(candidate),
+    names_.push_back(std::make_unique<HaloedText>(candidate_name(candidate), candidate_color(candidate),
                                                   ogre_vector(at), height, true, place.node));
 }
 

@@ -27,30 +27,6 @@ constexpr int plane_cells = 300, tile_cells = 120;
 constexpr double tile_width = 1.35, workspace_height = 1.35, joint_height = 1.6;
 constexpr std::size_t most_columns = 4;
 
-const char* color_word(BoundaryKind kind) {
-  switch (kind) {
-    case BoundaryKind::parallel:
-      return "red";
-    case BoundaryKind::serial:
-      return "blue";
-    case BoundaryKind::passive_limit:
-      return "brown";
-    case BoundaryKind::cone:
-      return "pink";
-    case BoundaryKind::self_collision:
-      return "violet";
-    case BoundaryKind::obstacle:
-      return "orange";
-    case BoundaryKind::workspace:
-      return "green";
-    case BoundaryKind::margin:
-      return "yellow";
-    case BoundaryKind::limit:
-      break;
-  }
-  return "grey";
-}
-
 // Of robots that only turn, it is directions of axes that have the size.
 double radian_of(const Manipulator& robot, const PictureChoice& choice) {
   const TaskSpace space = robot.task_space();
@@ -214,10 +190,9 @@ class Composer {
       return result;
     };
     if (choice_.tells_boundaries || robot_.task_space() == TaskSpace::T2)
-      for (const auto& [kind, what] : boundary_words())
-        if (paint_.kinds().count(kind) != 0)
-          picture_.meanings.push_back(
-              line(color_word(kind) + std::string(": ") + what, boundary_color(kind)));
+      for (const BoundaryStyle& style : boundary_styles())
+        if (paint_.kinds().count(style.kind) != 0)
+          picture_.meanings.push_back(line(style.color_word + std::string(": ") + style.words, style.color));
     picture_.legend = line(where_words(choice_, robot_.task_space()), ink_color);
   }
 

@@ -5,11 +5,11 @@
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/labels/placed_labels.h"
 #include "ros/messages/conversions.h"
-#include "ros/pictures/marker_colors.h"
 
 #include <parallel_aspects/DistanceBounds.h>
 #include <parallel_aspects/Status.h>
 
+#include "draw/plane/palette.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -337,7 +337,7 @@ std::vector<CandidateLine> candidates_of(const NodeView& view) {
   const auto code = view.state->status.code;
   if (code == Status::OK || code == Status::NO_JOINT_STATES) return lines;
   for (const SolvedConfiguration& each : view.candidates.candidates) {
-    CandidateLine line{candidate_name(lines.size()), candidate_rgb(lines.size()),
+    CandidateLine line{candidate_name(lines.size()), candidate_color(lines.size()),
                        branch_of(each.working_mode, each.determinant_sign), pose_of(each.pose, view.unit)};
     if (const auto turn = line.text.find(", roll"); turn != std::string::npos)
       line.text.replace(turn, 2, "\n");  // a button has the width of three coordinates

@@ -5,7 +5,6 @@
 
 #include "draw/page/page_elements.h"
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -15,9 +14,6 @@ namespace {
 using svg::number;
 using svg::text_at;
 
-// After Paul Tol's colour schemes for people with any colour vision.
-constexpr std::array<const char*, 6> leg_colors{"#228833", "#aa3377", "#ccbb44",
-                                                "#66ccee", "#ee7733", "#332288"};
 constexpr const char* parallel_color = "#999999";
 
 constexpr double page_margin = 20.0, header = 50.0, line_height = 18.0;
@@ -119,8 +115,8 @@ class GraphDrawing {
     }
   }
 
-  static std::string stroke_style(const char* color, double width, bool dashed) {
-    return std::string(" stroke=\"") + color + "\" stroke-width=\"" + number(width) + "\"" +
+  static std::string stroke_style(const std::string& color, double width, bool dashed) {
+    return " stroke=\"" + color + "\" stroke-width=\"" + number(width) + "\"" +
            (dashed ? " stroke-dasharray=\"4 3\"" : "") + "/>\n";
   }
 
@@ -131,16 +127,16 @@ class GraphDrawing {
     };
     const std::string way = curve.is_straight() ? " L" : " C" + at(1) + " " + at(2) + " ";
     return "<path d=\"M" + at(0) + way + at(3) + "\" fill=\"none\"" +
-           stroke_style(serial ? leg_colors[gate.leg] : parallel_color, serial ? 2.5 : 0.8, !gate.proved);
+           stroke_style(serial ? color_text(leg_color(gate.leg)) : std::string(parallel_color),
+                        serial ? 2.5 : 0.8, !gate.proved);
   }
 
   std::string node(const Aspect& aspect) const {
     const NodeCircle& circle = circles_[static_cast<std::size_t>(aspect.id - 1)];
     const TextPlace& place = places_[static_cast<std::size_t>(aspect.id - 1)];
-    const bool positive = aspect.determinant_sign > 0;
     return "<circle cx=\"" + number(circle.middle.x()) + "\" cy=\"" + number(circle.middle.y()) + "\" r=\"" +
-           number(circle.radius) + "\" fill=\"" + (positive ? "#b4c8dd" : "#ebc2c9") + "\" stroke=\"" +
-           (positive ? "#4477aa" : "#cc6677") + "\"/>\n" +
+           number(circle.radius) + "\" fill=\"" + color_text(sign_color(aspect.determinant_sign, true)) +
+           "\" stroke=\"" + color_text(sign_color(aspect.determinant_sign)) + "\"/>\n" +
            text_at(circle.middle.x(), circle.middle.y() + 4.0, "middle", std::to_string(aspect.id)) +
            text_at(place.text_x, place.text_y, place.anchor, to_string(aspect.mode), 9.0);
   }
@@ -157,7 +153,7 @@ class GraphDrawing {
   std::string legend() const {
     std::string picture;
     double y = legend_y_;
-    const auto entry = [&](const char* color, double width, bool dashed, const std::string& meaning) {
+    const auto entry = [&](const std::string& color, double width, bool dashed, const std::string& meaning) {
       const std::string height = number(y - 4.0);
       picture += "<line x1=\"" + number(page_margin) + "\" y1=\"" + height + "\" x2=\"" +
                  number(page_margin + 30.0) + "\" y2=\"" + height + "\"" +
@@ -165,7 +161,7 @@ class GraphDrawing {
       y += line_height;
     };
     for (std::size_t leg = 0; leg < map_.manipulator()->leg_count(); ++leg)
-      entry(leg_colors[leg], 2.5, false, "B_jj = 0 of " + map_.manipulator()->leg(leg).name);
+      entry(color_text(leg_color(leg)), 2.5, false, "B_jj = 0 of " + map_.manipulator()->leg(leg).name);
     entry(parallel_color, 0.8, false, "det A = 0, where control is lost");
     entry("#000000", 1.0, true, "possible, not proved");
     return picture;

@@ -30,9 +30,6 @@ constexpr double bars_left = 190.0, bars_width = 480.0, first_row = 66.0, row_he
 // Shorter bars, as a share of the longest, are counted and not drawn.
 constexpr double least_share = 0.02;
 
-constexpr const char *dark_positive = "#4477aa", *dark_negative = "#cc6677", *light_positive = "#b4c8dd",
-                     *light_negative = "#ebc2c9";
-
 class BasinsDrawing {
  public:
   BasinsDrawing(const AspectMap& map, const MapBasins& basins) : map_(map), basins_(basins) {
@@ -48,10 +45,10 @@ class BasinsDrawing {
     picture += text_at(10.0, 18.0, "start", map_.manipulator()->name() + ": basins of its aspects", 14.0);
     picture += text_at(10.0, 34.0, "start", caption());
     picture += svg::key(10.0, 50.0,
-                        {{dark_positive, "det A > 0"},
-                         {dark_negative, "det A < 0"},
-                         {light_positive, ""},
-                         {light_negative, "between the proved bounds of an end"}});
+                        {{color_text(sign_color(1)), "det A > 0"},
+                         {color_text(sign_color(-1)), "det A < 0"},
+                         {color_text(sign_color(1, true)), ""},
+                         {color_text(sign_color(-1, true)), "between the proved bounds of an end"}});
     picture += scale(first_row - 4.0, height - bottom + 4.0);
     for (std::size_t i = 0; i < rows_.size(); ++i)
       if (rows_[i]) picture += row(basins_.basins[i], *rows_[i]);
@@ -82,9 +79,8 @@ class BasinsDrawing {
 
   std::string row(const Basin& basin, std::size_t row) const {
     const Aspect& aspect = map_.aspects()[static_cast<std::size_t>(basin.aspect - 1)];
-    const bool positive = aspect.determinant_sign > 0;
-    const std::string dark = positive ? dark_positive : dark_negative,
-                      light = positive ? light_positive : light_negative;
+    const std::string dark = color_text(sign_color(aspect.determinant_sign)),
+                      light = color_text(sign_color(aspect.determinant_sign, true));
     const IndexRange start = basin.deeper ? basin.saddle : IndexRange{0.0, 0.0};
     std::string picture =
         bar(start.lower, basin.depth.upper, row, light) + bar(start.upper, basin.depth.lower, row, dark) +

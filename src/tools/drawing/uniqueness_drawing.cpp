@@ -4,7 +4,6 @@
 #include "model/angles.h"
 #include "model/message_text.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "tools/drawing/plot.h"
 #include "tools/report/reports.h"
 
 #include <Eigen/Geometry>
@@ -58,7 +57,7 @@ class UniquenessDrawing {
         robot_(*uniqueness.map->manipulator()),
         held_(*uniqueness.map->slice()->joint),
         mode_(mode ? *mode : largest_mode(*uniqueness.map)),
-        plane_(plane_of(*uniqueness.map, std::optional<PlotSection>())),
+        plane_(plane_of(*uniqueness.map)),
         projection_(uniqueness.map),
         curves_(*uniqueness.map, projection_) {
     for (const WorkingMode& each : uniqueness.map->working_modes()) trace(each);
@@ -83,7 +82,7 @@ class UniquenessDrawing {
                  ? " Circles: nodes, with the two poses of each" + words_for(uniqueness_.nodes_complete)
                  : "") +
             " Curves are drawn for the eye."};
-    page.figures = {{"", {}, {poses(), actuated_values()}}};
+    page.figures = {{"", {}, {{poses()}, {actuated_values()}}}};
     page.legend = legend();
     return draw_page(page);
   }
@@ -93,12 +92,12 @@ class UniquenessDrawing {
     return complete ? ", proved to be all." : ", perhaps not all.";
   }
 
-  PanelContents poses() const {
-    PanelContents panel;
+  PlaneScene poses() const {
+    PlaneScene panel;
     panel.caption = has_modes() ? "poses in working mode " + to_string(mode_) : "poses";
     panel.axes = plane_.axes;
-    panel.shapes = numbers(plane_.bounds, [this](const Vector2d& at) { return actuated_of(at); });
-    panel.segments = of_poses_;
+    panel.areas = numbers(plane_.bounds, [this](const Vector2d& at) { return actuated_of(at); });
+    panel.boundaries = of_poses_;
     const AnchorCircle circle = circle_of_anchor(robot_, *uniqueness_.map->slice()->joint);
     const auto place = [&](const Pose& pose) {
       const Vector2d rod = circle.rod(pose);
@@ -114,19 +113,15 @@ class UniquenessDrawing {
     return panel;
   }
 
-  PanelContents actuated_values() const {
-    PanelContents panel;
+  PlaneScene actuated_values() const {
+    PlaneScene panel;
     panel.caption = "actuated values";
     const JointWindow& window = projection_.window();
-    for (std::size_t i = 0; i < 2; ++i) {
-      const Leg& leg = robot_.leg(projection_.legs()[i]);
-      const auto k = static_cast<Eigen::Index>(i);
-      panel.axes[i] = {leg.actuated_joint + " [" + joint_unit(leg) + "]", window.lower[k], window.upper[k],
-                       false};
-    }
-    panel.shapes =
+    panel.axes = joint_axes(robot_, projection_, 0.0);
+    for (PlaneAxis& axis : panel.axes) axis.is_turn = false;
+    panel.areas =
         numbers({window.lower, window.upper}, [this](const Vector2d& at) { return actuated_at(at); });
-    panel.segments = of_values_;
+    panel.boundaries = of_values_;
     const auto place = [this](const JointVector& q) { return Vector2d(q[joint(0)], q[joint(1)]); };
     for (std::size_t i = 0; i < uniqueness_.cusps.size(); ++i)
       panel.marks.push_back(
@@ -186,9 +181,9 @@ class UniquenessDrawing {
   }
 
   /// A shape for each number of solutions, of the cells of a grid.
-  std::vector<PanelShape> numbers(const Eigen::AlignedBox2d& bounds,
-                                  const std::function<JointVector(const Vector2d&)>& actuated) const {
-    std::map<std::size_t, PanelShape> shapes;
+  std::vector<PlaneArea> numbers(const Eigen::AlignedBox2d& bounds,
+                                 const std::function<JointVector(const Vector2d&)>& actuated) const {
+    std::map<std::size_t, PlaneArea> shapes;
     const Vector2d step = bounds.sizes() / cells_of_numbers;
     for (int row = 0; row < cells_of_numbers; ++row)
       for (int column = 0; column < cells_of_numbers; ++column) {
@@ -199,7 +194,7 @@ class UniquenessDrawing {
         if (solutions > 0)
           shapes[solutions].polygons.push_back({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
       }
-    std::vector<PanelShape> result;
+    std::vector<PlaneArea> result;
     for (auto& [solutions, shape] : shapes) {
       shape.color = solutions_color(solutions);
       shape.title = counted(solutions, "solution");
@@ -230,7 +225,7 @@ class UniquenessDrawing {
   }
 
   /// With a letter, as long as there are any.
-  static PanelMark node_mark(const Vector2d& at, std::size_t node) {
+  static PlaneMark node_mark(const Vector2d& at, std::size_t node) {
     return {at, node < 26 ? std::string(1, static_cast<char>('a' + node)) : "", true};
   }
 
@@ -241,10 +236,7 @@ class UniquenessDrawing {
                          counted(region.solutions, "solution") + ", " + number_text(region.measure, 4) + " " +
                              uniqueness_.region_unit});
     entries.push_back({no_color, false, "no number is proved, no solution, or out of reach", true});
-    std::set<BoundaryKind> kinds;
-    for (const BoundarySegment& segment : of_values_) kinds.insert(segment.kind);
-    for (const auto& [kind, words] : boundary_words())
-      if (kinds.count(kind) > 0) entries.push_back({boundary_color(kind), true, words});
+    for (LegendEntry& entry : boundary_legend(kinds_of(of_values_))) entries.push_back(std::move(entry));
     return entries;
   }
 
@@ -252,7 +244,7 @@ class UniquenessDrawing {
   const Manipulator& robot_;
   const HeldJoint held_;
   WorkingMode mode_;
-  PlotPlane plane_;
+  PosePlane plane_;
   JointProjection projection_;
   SingularCurves curves_;
   std::vector<BoundarySegment> of_poses_, of_values_;
@@ -278,7 +270,7 @@ class CurvesDrawing {
     page.notes = {std::string("Each curve and each number is proved. ") +
                   (found_.complete ? "There are no other curves." : "There may be other curves.") +
                   " Dots: where the value that is held turns back, and two cusps meet."};
-    page.figures = {{"", {}, {plane(others_[0], others_[1]), plane(held_, others_[0]), counts()}}};
+    page.figures = {{"", {}, {{plane(others_[0], others_[1])}, {plane(held_, others_[0])}, {counts()}}}};
     for (std::size_t i = 0; i < found_.curves.size(); ++i)
       page.legend.push_back({curve_color(i), true, "curve " + std::to_string(i + 1)});
     return draw_page(page);
@@ -290,8 +282,8 @@ class CurvesDrawing {
   }
 
   /// From the least to the largest value of a joint on all curves.
-  PanelAxis axis(std::size_t leg) const {
-    PanelAxis result{title(leg), HUGE_VAL, -HUGE_VAL, false};
+  PlaneAxis axis(std::size_t leg) const {
+    PlaneAxis result{title(leg), HUGE_VAL, -HUGE_VAL, false};
     for (const CuspCurve& curve : found_.curves)
       for (const Cusp& cusp : curve.points) {
         const double value = cusp.actuated[static_cast<Eigen::Index>(leg)];
@@ -305,8 +297,8 @@ class CurvesDrawing {
     return result;
   }
 
-  PanelContents plane(std::size_t x, std::size_t y) const {
-    PanelContents panel;
+  PlaneScene plane(std::size_t x, std::size_t y) const {
+    PlaneScene panel;
     panel.caption = "cusps, by actuated values";
     panel.axes = {axis(x), axis(y)};
     const auto place = [&](const Cusp& cusp) {
@@ -324,8 +316,8 @@ class CurvesDrawing {
   /// In pieces where the values of a crank go from one end of the turn to the other.
   template <class Place>
   static void add_curve(const CuspCurve& curve, const Place& place, Rgb color, const std::string& words,
-                        PanelContents& panel) {
-    PanelLine line{{}, color, words};
+                        PlaneScene& panel) {
+    PlaneLine line{{}, color, words};
     for (std::size_t n = 0; n < curve.points.size(); ++n) {
       const bool jumps =
           n > 0 && (curve.points[n].actuated - curve.points[n - 1].actuated).cwiseAbs().maxCoeff() > pi;
@@ -350,13 +342,13 @@ class CurvesDrawing {
     return result;
   }
 
-  PanelContents counts() const {
-    PanelContents panel;
+  PlaneScene counts() const {
+    PlaneScene panel;
     panel.caption = "number of cusps";
     std::size_t most = 1;
     for (const CuspCount& each : found_.counts) most = std::max(most, each.cusps);
-    panel.axes = {PanelAxis{title(held_), found_.range.lower, found_.range.upper, false},
-                  PanelAxis{"cusps", 0.0, static_cast<double>(most + 1), false}};
+    panel.axes = {PlaneAxis{title(held_), found_.range.lower, found_.range.upper, false},
+                  PlaneAxis{"cusps", 0.0, static_cast<double>(most + 1), false}};
     for (const CuspCount& each : found_.counts) {
       const auto height = static_cast<double>(each.cusps);
       panel.lines.push_back(

@@ -88,17 +88,7 @@ std::vector<double> values_along(const SweepChart& chart, double ChartPoint::*co
 
 /// From dark blue over green to yellow (after the scale "viridis" of matplotlib), which grows lighter evenly.
 Rgb color_of_share(double share) {
-  constexpr std::array<Rgb, 6> stops{0x440154, 0x414487, 0x2A788E, 0x22A884, 0x7AD151, 0xFDE725};
-  const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(stops.size() - 1);
-  const std::size_t below = std::min(static_cast<std::size_t>(place), stops.size() - 2);
-  const double rest = place - static_cast<double>(below);
-  Rgb mixed = 0;
-  for (const unsigned shift : {16U, 8U, 0U}) {
-    const auto part = [shift](Rgb color) { return static_cast<double>(color >> shift & 0xFFU); };
-    const double value = part(stops[below]) + rest * (part(stops[below + 1]) - part(stops[below]));
-    mixed |= static_cast<Rgb>(value + 0.5) << shift;
-  }
-  return mixed;
+  return color_along({0x440154, 0x414487, 0x2A788E, 0x22A884, 0x7AD151, 0xFDE725}, share);
 }
 
 // Lengths on the page [px].

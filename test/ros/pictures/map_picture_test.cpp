@@ -2,7 +2,6 @@
 #include "ros/pictures/map_picture.h"
 
 #include "ros/monitor/five_bar_setup.h"
-#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/marker_groups.h"
 
 #include <gtest/gtest.h>
@@ -48,6 +47,10 @@ class MapPictureTest : public testing::Test {
     return DrawnConfiguration{mode, map_->locate(pose, mode).aspect, {pose, inverse(*robot_, pose, mode).q}};
   }
 
+  std_msgs::ColorRGBA color_of(int aspect) const {
+    return color(aspect_colors(map_->aspects())[static_cast<std::size_t>(aspect - 1)]);
+  }
+
   std::shared_ptr<const Manipulator> robot_ = test::five_bar();
   std::shared_ptr<const AspectMap> map_ = map_of(robot_);
   MapPicture picture_{map_, test::frames, DisplayOptions{}};
@@ -84,7 +87,7 @@ TEST_F(MapPictureTest, EachAspectIsOneTriangleListInItsColourAndSize) {
     const Marker& marker = fills[static_cast<std::size_t>(aspect.id - 1)];
     EXPECT_EQ(marker.type, Marker::TRIANGLE_LIST);
     EXPECT_EQ(marker.header.frame_id, test::frames.aspects);
-    EXPECT_EQ(marker.color, AspectColors(*map_).of(aspect.id));
+    EXPECT_EQ(marker.color, color_of(aspect.id));
     // Drawn are the inside leaves and slivers of the undecided ones.
     EXPECT_GE(area(marker) / (scale * scale), aspect.measure_lower * (1.0 - 1e-9));
     EXPECT_LE(area(marker) / (scale * scale), aspect.measure_upper * (1.0 + 1e-9));
@@ -113,7 +116,7 @@ TEST_F(MapPictureTest, ThePresentAspectIsOverOthersInJointSpace) {
     ASSERT_NE(present->aspect, 0);
     const auto over = test::in_group(picture_.present(present), "joint_space/present");
     ASSERT_EQ(over.size(), 1U);
-    EXPECT_EQ(over.front().color, AspectColors(*map_).of(present->aspect));
+    EXPECT_EQ(over.front().color, color_of(present->aspect));
     for (const Marker& fill : fills) EXPECT_GT(over.front().points.front().z, fill.points.front().z);
   }
 }
@@ -157,8 +160,7 @@ TEST_F(MapPictureTest, OnlyTheAspectsOfThePresentModeAreAtTheRobot) {
   const auto fills = test::in_group(picture_.present(present), "robot/aspects");
   EXPECT_EQ(fills.size(), 3U);
   int highlighted = 0;
-  for (const Marker& marker : fills)
-    highlighted += marker.color == AspectColors(*map_).of(present->aspect) ? 1 : 0;
+  for (const Marker& marker : fills) highlighted += marker.color == color_of(present->aspect) ? 1 : 0;
   EXPECT_EQ(highlighted, 1);
   EXPECT_EQ(test::in_group(picture_.present(present), "robot/outline").size(), 1U);
 }

@@ -4,6 +4,7 @@
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/monitor/five_bar_setup.h"
 #include "ros/pictures/answer_pictures.h"
+#include "ros/pictures/marker_batch.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,8 @@
 
 namespace parallel_aspects {
 namespace {
+
+std_msgs::ColorRGBA color_of_index(double index) { return color(index_color(index)); }
 
 bool is_bluer(const std_msgs::ColorRGBA& a, const std_msgs::ColorRGBA& b) { return a.b - a.r > b.b - b.r; }
 

@@ -2,7 +2,6 @@
 #include "ros/pictures/slice_picture.h"
 
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/marker_groups.h"
 #include "ros/pictures/scene.h"
 
@@ -106,7 +105,7 @@ class SlicePictureOfADelta : public testing::Test {
   bool in_legend(const Drawn& now, int aspect) const {
     const auto lines = test::in_group(picture_.gallery(now), "gallery/sizes");
     return std::any_of(lines.begin(), lines.end(), [&](const Marker& line) {
-      return line.text.rfind(std::to_string(aspect) + ":", 0) == 0;
+      return line.text.rfind("aspect " + std::to_string(aspect) + ":", 0) == 0;
     });
   }
 
@@ -163,7 +162,7 @@ TEST(SlicePictureOfAPlanarRobot, IsSeenThroughAboveAPlatformThatWouldHideIt) {
 }
 
 TEST(CandidateColors, DifferFromEachOther) {
-  std::vector<std_msgs::ColorRGBA> colors{color(ink_color)};
+  std::vector<Rgb> colors{ink_color};
   for (std::size_t i = 0; i < hue_count; ++i) {
     EXPECT_EQ(std::count(colors.begin(), colors.end(), candidate_color(i)), 0) << i;
     colors.push_back(candidate_color(i));

@@ -84,7 +84,7 @@ int id_of(const PageArea& area) { return std::stoi(area.title.substr(std::string
 TEST(Plot, WorkspaceAreasAreTheMeasures) {
   for (const char* robot : {"five_bar", "bipod"}) {
     const Map map = map_of(robot);
-    const PlotPlane plane = plane_of(*map, std::nullopt);
+    const PosePlane plane = plane_of(*map, std::nullopt);
     const double range = plane.bounds.sizes().maxCoeff();
     std::map<int, double> areas;
     for (const DrawnPanel& panel : panels_of(draw_plot(map, {}))) {
@@ -133,7 +133,7 @@ PlotOptions only(const WorkingMode& mode) {
 }
 
 TEST(Plot, SingularCurvesOfTheFiveBarAreThoseOfThePaper) {
-  const PlotPlane plane = plane_of(*five_bar(), std::nullopt);
+  const PosePlane plane = plane_of(*five_bar(), std::nullopt);
   for (const WorkingMode& mode : five_bar()->working_modes()) {
     const DrawnPanel workspace = panels_of(draw_plot(five_bar(), only(mode))).front();
     std::size_t parallel = 0, serial = 0;
@@ -219,7 +219,7 @@ TEST(Plot, JointSpaceAreasAreThoseOfTheJointValues) {
 TEST(Plot, LinesOfEqualIndexHaveTheirIndex) {
   PlotOptions options = only(WorkingMode::from_index(2, 0));
   options.levels = {DrawnIndex::parallel, {0.5}};
-  const PlotPlane plane = plane_of(*five_bar(), std::nullopt);
+  const PosePlane plane = plane_of(*five_bar(), std::nullopt);
   const BoundaryPicture traced = trace_slice(*five_bar(), options.modes.front(), plane.slice, plane.bounds,
                                              180, Cells::single, options.levels);
   EXPECT_GT(traced.levels.size(), 300U);
