@@ -58,7 +58,7 @@ std::vector<DesignPart> links_of(const Leg& leg) {
 
 }  // namespace
 
-// Where the platform only turns, lengths are of the links' own choosing, and none of them changes an aspect.
+// Where the platform only turns, the lengths of links are arbitrary, and none of them changes an aspect.
 std::vector<DesignLength> design_lengths(const Manipulator& manipulator) {
   std::vector<DesignLength> lengths;
   if (manipulator.task_space() == TaskSpace::SO3) return lengths;
@@ -92,7 +92,7 @@ namespace {
 
 using Tie = std::pair<DesignLength, double>;
 
-/// What becomes of a number of a leg in a symmetry: of which number of which leg it is that, and the value.
+/// The image of a number of a leg under a symmetry: which number of which leg it becomes, and its value.
 Tie image_of(const RobotSymmetry& symmetry, const DesignLength& length, double value) {
   DesignLength image = length;
   image.leg = symmetry.leg_image[length.leg];
@@ -121,7 +121,7 @@ class Parameters {
 
   const std::vector<DesignLength>& lengths() const { return lengths_; }
 
-  /// All that a name stands for: one number, or those of all legs.
+  /// The numbers that a name means: one, or those of all legs.
   std::vector<DesignLength> named(const std::string& name) const {
     std::vector<DesignLength> found;
     for (const DesignLength& each : lengths_)
@@ -134,8 +134,8 @@ class Parameters {
     return number_of(leg, length);
   }
 
-  /// The numbers that follow one with this value, without itself; none where a symmetry would have it
-  /// elsewhere, since then the design gives up that symmetry.
+  /// The numbers that follow one with this value, without itself; none where the value breaks a symmetry,
+  /// which the design gives up then.
   std::vector<Tie> ties(const DesignLength& length, double value) const {
     std::vector<Tie> found{{length, value}};
     for (const RobotSymmetry& symmetry : symmetries_) {
@@ -151,7 +151,7 @@ class Parameters {
     return found;
   }
 
-  /// Those that are tied to it, whatever its value.
+  /// The numbers that are tied to it, for any value.
   std::vector<DesignLength> tied(const DesignLength& length) const {
     std::vector<DesignLength> result;
     constexpr double other_than_it_is = 1.25;

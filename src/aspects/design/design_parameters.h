@@ -11,7 +11,7 @@
 
 namespace parallel_aspects {
 
-/// What a parameter of a design is a number of.
+/// The kind of number that a parameter of a design is.
 enum class DesignPart { crank, rod, inner, outer, base, anchor };
 
 /// Which number of a robot a parameter is.
@@ -25,13 +25,13 @@ struct DesignLength {
   }
 };
 
-/// All that a robot has, leg by leg.
+/// All parameters of a robot, leg by leg.
 std::vector<DesignLength> design_lengths(const Manipulator& manipulator);
 
 /// "crank_1", "base_2_x" and so on.
 std::string name_of(const DesignLength& length);
 
-/// "crank", "base_x": of all legs.
+/// "crank", "base_x": the name of the number of all legs.
 std::string family_of(const DesignLength& length);
 
 /// The number itself; the leg must have it.

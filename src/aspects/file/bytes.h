@@ -48,7 +48,7 @@ class ByteWriter {
   Bytes bytes_;
 };
 
-/// Takes them again. Whoever asks for more than there is gets zeros, and `ok()` is false from then on.
+/// Reads them. A caller who asks for more than there is gets zeros, and `ok()` is false from then on.
 class ByteReader {
  public:
   /// The bytes must outlive the reader.
@@ -118,8 +118,8 @@ class ByteReader {
 /// The length, then the bytes as zlib packs them at its fastest: about a seventh of a map.
 Bytes packed(const Bytes& bytes);
 
-/// Fills `bytes` with what was packed, or says why that cannot be, such as "it is damaged". No more memory is
-/// taken than zlib can need.
+/// Fills `bytes` with what was packed, or returns why that is impossible, such as "it is damaged". Takes no
+/// more memory than zlib can need.
 std::string unpack(const Bytes& packed_bytes, Bytes& bytes);
 
 /// Fills `bytes` with a regular file of at most `most` bytes. Empty when done, else why not, such as "it

@@ -77,7 +77,7 @@ std::string find_other_key(const std::string& held, const std::string& asked) {
          (of_question.empty() ? ", which is not asked for" : " and not \"" + of_question + "\"");
 }
 
-/// Fills `map`, or says why the file does not hold it.
+/// Fills `map`, or returns why the file does not hold it.
 std::string decode(std::shared_ptr<const Manipulator> manipulator, MapPlan plan, const Bytes& file,
                    std::unique_ptr<const AspectMap::Contents>& map) {
   ByteReader reader(file.data(), file.size());
@@ -104,7 +104,7 @@ MapResult refused(const std::string& what, const std::string& why) {
 
 std::string named(const std::string& path) { return "Map file '" + path + "' is"; }
 
-/// The map of the bytes that `read` gives; `what` they are, for messages.
+/// The map in the bytes that `read` gives; `what` names them in messages.
 template <class Read>
 MapResult loaded(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
                  const std::string& what, const Read& read) try {

@@ -18,7 +18,7 @@ namespace parallel_aspects {
 /// A name that stays in its line: control characters become "?".
 std::string printable(std::string text);
 
-/// The part of a `map_key` that tells the constraints: every number of them with all its digits, a line each;
+/// The part of a `map_key` with the constraints: every number of them with all its digits, a line each;
 /// empty where there are none.
 std::string constraint_key(const Constraints& constraints);
 
@@ -28,7 +28,7 @@ std::string constraint_key(const Constraints& constraints);
 std::string map_key(const Manipulator& manipulator, const Box& region, double resolution, std::uint32_t depth,
                     std::uint32_t deepest_level);
 
-/// What of the robot's configurations a map covers, in the same manner: its slice and its working modes.
+/// Which configurations of the robot a map covers, in the same manner: its slice and its working modes.
 std::string coverage_key(const std::optional<MapSlice>& slice, const std::vector<WorkingMode>& modes);
 
 /// The first line of `other` that `text` does not have; empty where it has them all.

@@ -54,8 +54,8 @@ class Workspace {
   std::vector<bool> belongs_;  // by id; not 0
 };
 
-/// A path may go through every working mode, and through what a serial margin shuts out: where the map does
-/// not have all of that, its leaves prove nothing.
+/// A path may go through every working mode, and through poses that a serial margin excludes: unless the map
+/// covers all of these, its leaves prove nothing.
 bool leaves_exclude(const AspectMap& map) {
   return map.contents().modes.size() == working_modes(*map.manipulator()).size() &&
          !has_serial_margin(*map.manipulator());

@@ -93,7 +93,7 @@ class Exclusion {
     ++parts_;
   }
 
-  /// Counts on, since to look at all aspects after each step would cost more than the steps.
+  /// Counts as sets are joined, since examining all aspects after each step would cost more than the steps.
   void unite(std::uint32_t a, std::uint32_t b) {
     a = sets_.find(a);
     b = sets_.find(b);
@@ -103,7 +103,7 @@ class Exclusion {
     holds_aspect_[sets_.find(a)] = holds_aspect_[a] || holds_aspect_[b];
   }
 
-  /// Whether nothing is left to tell apart.
+  /// Whether no two sets are left to be separated.
   bool are_all_one() const { return parts_ <= 1; }
 
   std::uint32_t item(NodeIndex node, std::size_t mode) const {
@@ -171,7 +171,7 @@ class Exclusion {
     unite(item(here.node, here.mode), item(there.node, there.mode));
   }
 
-  /// Whether B_jj of the leg is proved not to vanish; of a leg whose joint is held the facts say nothing.
+  /// Whether B_jj of the leg is proved not to vanish; the facts have nothing about a leg whose joint is held.
   bool is_clear(const BoxFacts& facts, std::size_t leg) const {
     const bool is_held = map_.slice && map_.slice->joint && map_.slice->joint->leg == leg;
     return !is_held && (facts.clear & BoxFacts::bit(leg)) != 0;

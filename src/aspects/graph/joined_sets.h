@@ -16,13 +16,13 @@ namespace parallel_aspects {
 /// those of det A, by id - 1.
 std::vector<AspectSet> joined_sets(const std::vector<int>& signs, const std::vector<Neighbours>& gates);
 
-/// Groups the sets of a graph: those of one sign of which `may_join(id, id)`, of an aspect of either, says
-/// that they may be joined.
+/// Groups the sets of a graph: two sets of one sign are in one group where `may_join(id, id)` is true for an
+/// aspect of either.
 void group_sets(const std::function<bool(int, int)>& may_join, AspectGraph& graph);
 
 /// By id - 1, a label of each aspect with this sign of det A, and -1 for the others. Where labels differ, no
-/// path in the region of the map joins the aspects: none on which det A keeps the sign, the legs reach within
-/// limits, and the working mode changes only where B_jj = 0.
+/// path in the region of the map joins the aspects. Such a path is one on which det A keeps the sign, the
+/// legs reach within limits, and the working mode changes only where B_jj = 0.
 ///
 /// Such a path is, at every moment, in a leaf of its working mode that is proved neither outside nor to have
 /// the other sign; and where it changes sides of B_jj = 0, in a leaf of either mode where B_jj^2 > 0 is not

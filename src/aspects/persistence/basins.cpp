@@ -15,8 +15,8 @@
 namespace parallel_aspects {
 namespace {
 
-// Bounds of the index in one cell that are closer than this are not worth halving it, but where that may
-// raise the largest index of an aspect.
+// A cell is not halved if its bounds of the index are closer than this, unless that may raise the largest
+// index of an aspect.
 constexpr double fine_enough = 0.05;  // as a share of the upper one
 
 /// In what is listed by aspect.
@@ -33,7 +33,7 @@ class SignBasins {
       if (std::count(ids_.begin(), ids_.end(), map.unresolved()[i].first) > 0) pairs_.push_back(i);
   }
 
-  /// Its basins, whose places are counted from the first of them. The rest is written into `basins`.
+  /// Its basins, whose places count from the first of them. Writes the rest into `basins`.
   std::vector<Basin> find(BasinDetail detail, MapBasins& basins) {
     if (ids_.empty()) return {};
     const std::map<int, IndexPeak> peaks = find_index_peaks(contents_, what_, control_);
@@ -63,8 +63,8 @@ class SignBasins {
     return true;
   }
 
-  /// Inside leaves are as large as the proof of their sign lets them be: bounds of the index want smaller
-  /// ones. Where it is small, they need not be as near to each other.
+  /// Inside leaves are as large as the proof of their sign permits, but bounds of the index need smaller
+  /// ones. Where the index is small, its bounds may be farther apart.
   void divide_coarse(IndexCells& all) const {
     all.bound_all();
     std::vector<NodeIndex> cells = all.all();
@@ -124,7 +124,8 @@ class SignBasins {
     return basins;
   }
 
-  /// Every peak of the merges, and the highest of each aspect that none of them names; the highest first.
+  /// Every peak of the merges, and the highest peak of each aspect that has none among them; the highest
+  /// first.
   std::vector<NodeIndex> roots_and_peaks(const IndexCells& cells,
                                          const std::vector<PeakMerge>& merges) const {
     std::vector<NodeIndex> peaks;
@@ -206,7 +207,7 @@ std::optional<MapBasins> find_basins(const AspectMap& map, ParallelIndex index, 
   basins.index = index;
   basins.deepest.assign(map.aspects().size(), {0.0, 0.0});
   basins.bottlenecks.assign(map.unresolved().size(), {0.0, 0.0});
-  // Each writes to what belongs to its own aspects.
+  // Each writes to the entries of its own aspects only.
   tbb::parallel_for(std::size_t{0}, 2 * modes, [&](std::size_t i) {
     if (!is_cancelled(control) && images[i / 2].representative == i / 2)
       found[i] = SignBasins(map, i / 2, i % 2 == 0 ? 1 : -1, index, control).find(detail, basins);

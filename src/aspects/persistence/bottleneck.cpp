@@ -58,7 +58,7 @@ class BottleneckSearch {
 
   NodeIndex cell_at(const MapPosition& position) const { return *cells_.tree().leaf_at(position, 0); }
 
-  /// Cells come by falling level, so that the first way to one is a widest: others to it are left out.
+  /// Cells come by falling level, so the first way to a cell is a widest one; other ways to it are left out.
   /// The largest least value along a path of cells; none where no path has a positive one, or there is none.
   template <class Value>
   std::optional<double> widest(const Value& value) const {
@@ -80,8 +80,8 @@ class BottleneckSearch {
     return std::nullopt;
   }
 
-  /// How many cells of which the level is not proved are passed at least on the way to each that could be
-  /// passed at it, itself counted.
+  /// For each cell that could be passed at the level: the least number of cells on the way, itself included,
+  /// for which that is not proved.
   std::vector<std::uint32_t> unproved_on_the_way(NodeIndex start, double level) const {
     std::vector<std::uint32_t> count(cells_.tree().node_count(), unreached);
     const auto cost = [&](NodeIndex cell) { return cells_.lower(cell) > level ? 0U : 1U; };

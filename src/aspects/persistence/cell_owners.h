@@ -13,7 +13,7 @@
 
 namespace parallel_aspects {
 
-/// Cells that are looked at together, and the aspects that what they hold of S(mode, sign) may belong to.
+/// Cells that are treated together, and the aspects to which their part of S(mode, sign) may belong.
 struct CellOwner {
   std::set<int> aspects;   ///< ids
   bool is_inside = false;  ///< whether they are the inside cells of one aspect
@@ -28,21 +28,21 @@ class CellOwners {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;
 
-  /// Finds them, and tells `cells` what aspect whole parts belong to.
+  /// Finds them, and reports to `cells` to which aspect whole parts belong.
   explicit CellOwners(IndexCells& cells) : cells_(cells) { find(); }
 
-  /// Anew, after cells were halved: groups fall apart.
+  /// Finds them anew after cells were halved, since groups may fall apart.
   void find();
 
   const std::vector<CellOwner>& all() const noexcept { return owners_; }
-  /// Of a cell; `none` where it is connected with no known aspect.
+  /// The owner of a cell; `none` where it is connected with no known aspect.
   std::uint32_t of(NodeIndex cell) const noexcept { return owner_of_[cell]; }
 
   /// The owners of the cells in a node: bit i for those whose number is i modulo 64.
   std::uint64_t within(NodeIndex node) const noexcept { return within_[node]; }
   static std::uint64_t bit(std::size_t owner) noexcept { return std::uint64_t{1} << (owner % 64); }
 
-  /// Takes in the children of a cell; returns the inside ones that were found to belong to an aspect, and
+  /// Adds the children of a cell; returns the inside ones that were found to belong to an aspect, and
   /// inside cells that border on them and so belong to it, too.
   std::vector<NodeIndex> take_in(NodeIndex cell, const std::vector<NodeIndex>& children);
 

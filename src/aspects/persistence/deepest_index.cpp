@@ -13,11 +13,11 @@ struct Precision {
   double undecided;      // likewise in undecided cells
   double absolute;       // or this, of the normalised index
   std::size_t halvings;  // of inside cells, for each aspect
-  // Likewise, once other cells bound it no lower: then they count for paths between aspects alone.
+  // Likewise, once other cells do not lower the bound: then they matter only for paths between aspects.
   std::size_t halvings_for_paths;
   std::size_t halvings_of_undecided;  // for each owner of undecided cells and round
   int rounds;                         // since groups fall apart when they are halved
-  // Of enclosures, as a share of the number of nodes; whatever that, as many as the second.
+  // The number of enclosures, as a share of the number of nodes, but at least the second.
   double share_of_nodes;
   std::size_t always;
 };
@@ -75,7 +75,7 @@ std::map<int, IndexRange> DeepestIndex::ranges() const {
   return ranges;
 }
 
-/// Those of every round hold.
+/// Bounds of every round hold.
 void DeepestIndex::take_in_bounds() {
   std::map<int, double> upper;
   for (std::size_t owner = 0; owner < progress_.size(); ++owner)
@@ -115,14 +115,14 @@ void DeepestIndex::close(double upper, NodeIndex node) {
     if ((owners_.within(node) & CellOwners::bit(owner)) != 0) close_one(owner);
 }
 
-/// What other owners hold of its aspects need not be bounded any lower.
+/// The bounds of its aspects in cells of other owners need not be lowered further.
 void DeepestIndex::settle(std::size_t owner, double upper) {
   progress_[owner].is_open = false;
   progress_[owner].upper = upper;
   for (const int id : owners_.all()[owner].aspects) settled_[id] = std::max(settled_[id], upper);
 }
 
-/// By what is left of each.
+/// By the bound of what is left of each.
 void DeepestIndex::close_rest() {
   for (; !queue_.empty(); queue_.pop()) {
     const auto [upper, node] = queue_.top();

@@ -18,7 +18,7 @@ constexpr std::size_t starts = 300;                                   // leaves 
 constexpr double first_step = 1.0 / 16.0, last_step = 1.0 / 65536.0;  // as a share of a root
 constexpr double close_at_pose = 1e-9;  // bounds of the index, as a share of the upper one
 
-/// To all neighbours in a grid of points.
+/// Steps to all neighbours in a grid of points.
 std::vector<MapPoint> directions(std::size_t dimension) {
   std::vector<MapPoint> result(1);
   for (std::size_t axis = 0; axis < dimension; ++axis)
@@ -53,7 +53,7 @@ class PeakSearch {
     return best;
   }
 
-  /// Within inside leaves of the aspect.
+  /// Steps within inside leaves of the aspect.
   IndexPeak climb(int aspect, IndexPeak from) const {
     for (double step = first_step; step > last_step;) {
       IndexPeak best = from;
@@ -231,7 +231,7 @@ std::vector<NodeIndex> IndexCells::divide(const std::vector<NodeIndex>& cells) {
   return children;
 }
 
-/// Pending ones, unless the cell is inside: then they are, too.
+/// Pending children, unless the cell is inside: then the children are inside, too.
 NodeIndex IndexCells::add_children(NodeIndex cell) {
   const bool inside = is_inside(cell);
   tree_.state(cell, 0) = LeafState::undecided(true, true);

@@ -28,10 +28,10 @@ struct IndexOfMode {
   ParallelIndex index;
 };
 
-/// Of the share of `BoxClassifier::enclose_index`: every enclosure is close enough.
+/// The share of `BoxClassifier::enclose_index` with which every enclosure is close enough.
 inline constexpr double any_index_gap = 1.0;
 
-/// At one pose; 0 to the largest where it is not known.
+/// Bounds of the index at one pose; 0 to the largest where it is not known.
 IndexRange index_at(const AspectMap::Contents& map, const IndexOfMode& what, const MapPosition& position);
 
 /// No index in the region of the map is larger.
@@ -73,7 +73,7 @@ class IndexCells {
   /// Likewise of any node, divided or not.
   enum class Effort : std::uint8_t { none, little, more };
   double upper(NodeIndex node, Effort effort) const { return bounds(node, effort).upper; }
-  /// What was spent on it so far.
+  /// The work that was spent on it so far.
   Effort effort(NodeIndex node) const noexcept { return bounds_[node].effort; }
   /// Computes those of several nodes at once, as far as they are not known yet.
   struct Question {
@@ -90,7 +90,7 @@ class IndexCells {
 
   /// Id of the aspect that all poses of S(mode, sign) in it are proved to lie in; 0 where that is not known.
   int aspect(NodeIndex cell) const noexcept { return aspects_[cell]; }
-  /// For what was proved since.
+  /// Notes what was proved since.
   void set_aspect(NodeIndex cell, int id) noexcept { aspects_[cell] = id; }
 
   bool can_be_halved(NodeIndex cell) const noexcept {

@@ -16,8 +16,8 @@ struct ModeImage {
   std::map<int, int> aspects;      ///< its aspects by those of the representative; ids
 };
 
-/// Of each mode. Images are leaf by leaf what their representatives are, unresolved pairs included: that is
-/// looked at, since a map may have been computed without symmetries.
+/// The image of each mode. Images are leaf by leaf equal to their representatives, unresolved pairs included.
+/// This is tested, since a map may have been computed without symmetries.
 std::vector<ModeImage> find_mode_images(const AspectMap::Contents& map);
 
 }  // namespace parallel_aspects

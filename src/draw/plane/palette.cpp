@@ -22,8 +22,8 @@ constexpr std::array<Rgb, hue_count> dark_hues{0x332288, 0x117733, 0xAA4499, 0x6
                                                0x6655DD, 0x331133, 0x993377, 0x2233AA, 0x000077, 0x113300};
 constexpr std::size_t first_hues = 6;
 
-// What it costs to share a hue: more within a mode than beside it, and a little with any other aspect; and to
-// take one that is not of the first.
+// The cost of sharing a hue: more within a mode than beside it, and a little with any other aspect; and of
+// taking one that is not among the first.
 constexpr int in_mode = 10000, beside_mode = 200, elsewhere = 1, further = 50;
 
 std::size_t different_signs(const WorkingMode& one, const WorkingMode& other) {
@@ -52,7 +52,8 @@ std::vector<std::size_t> even_hues(const std::vector<Aspect>& aspects) {
   return hues;
 }
 
-// A mode with an even number of negative signs has none but odd ones beside it: those take the last hues.
+// Neighbours of a mode with an even number of negative signs all have an odd number: those take the last
+// hues.
 std::vector<std::size_t> hues_from_both_ends(const std::vector<Aspect>& aspects) {
   std::vector<std::size_t> hues;
   for (std::size_t i = 0; i < aspects.size(); ++i) {

@@ -23,7 +23,7 @@ constexpr int searches = 3;            // for the boundary, each from where the 
 constexpr int halvings = 7;            // of the way to the boundary
 constexpr double gap = 0.04;  // left before the boundary, in cells, since the aspect beyond ends there too
 
-/// Looks along a line for where an aspect ends.
+/// Searches along a line for the end of an aspect.
 class BoundarySearch {
  public:
   BoundarySearch(const AspectMap& map, const Aspect& aspect)
@@ -58,7 +58,7 @@ class BoundarySearch {
     return std::nullopt;
   }
 
-  // What a pose breaks; det A, which says nothing where a leg does not reach, comes last.
+  // What a pose violates; det A, which has no meaning where a leg does not reach, comes last.
   std::optional<BoundaryKind> broken_at(const Vector3d& point) const {
     const BoundaryFunctions::Values values = functions_.values(surface_pose(map_, point));
     for (Eigen::Index k = 1; k < values.size(); ++k)

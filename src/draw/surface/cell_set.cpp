@@ -90,7 +90,7 @@ void CellSet::fill(NodeIndex node) {
   }
 }
 
-// Of a node, that the aspect's inside leaves fill.
+// The share of a node that the aspect's inside leaves fill.
 double CellSet::share(NodeIndex node) const {
   const PoseTree& tree = map_.tree;
   if (!tree.state(node, mode_).is_divided()) return map_.leaf_aspect(node, mode_) == aspect_ ? 1.0 : 0.0;
@@ -115,7 +115,7 @@ void CellSet::set(const NodePlace& place) {
       }
 }
 
-// Beyond the end where there is none.
+// An index beyond the end where there is none.
 std::size_t CellSet::state_index(const Grid& grid, const std::array<int, 3>& at) const noexcept {
   std::size_t index = 0;
   for (std::size_t i = 3; i-- > 0;) {
