@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <queue>
 
 namespace parallel_aspects {
 namespace {
@@ -82,48 +80,25 @@ double Roadmap::cost(std::size_t a, std::size_t b) const {
 }
 
 std::vector<std::size_t> Roadmap::cheapest(std::size_t from, std::size_t to) const {
-  std::vector<double> best(places_.size(), std::numeric_limits<double>::infinity());
-  std::vector<std::size_t> before(places_.size(), from);
-  using Entry = std::pair<double, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  best[from] = 0.0;
-  open.emplace(0.0, from);
-  while (!open.empty() && open.top().second != to) {
-    const auto [reached, a] = open.top();
-    open.pop();
-    if (reached > best[a]) continue;
-    for (const std::size_t b : neighbours_[a]) {
-      const double next = reached + cost(a, b);
-      if (next >= best[b] || blocked_.count(std::minmax(a, b)) > 0) continue;
-      best[b] = next;
-      before[b] = a;
-      open.emplace(next, b);
-    }
-  }
-  if (open.empty()) return {};
-  std::vector<std::size_t> path{to};
-  while (path.back() != from) path.push_back(before[path.back()]);
-  std::reverse(path.begin(), path.end());
-  return path;
+  ShortestPaths<double> paths;
+  paths.enter(from, no_graph_node, 0.0);
+  std::size_t at = paths.take();
+  for (; at != no_graph_node && at != to; at = paths.take())
+    for (const std::size_t next : neighbours_[at])
+      if (!motions_.is_barred(at, next)) paths.enter(next, at, paths.cost(at) + cost(at, next));
+  return paths.path_to(at);
 }
 
-bool Roadmap::passable(std::size_t a, std::size_t b) {
-  const Edge edge = std::minmax(a, b);
-  if (proved_.count(edge) > 0) return true;
+bool Roadmap::is_passable(std::size_t a, std::size_t b) const {
   const JointVector change = joint_change(manipulator_, places_[a].q, places_[b].q);
-  const bool passes = straight_motion_exists(manipulator_, places_[a], change, places_[b].pose, max_steps_);
-  (passes ? proved_ : blocked_).insert(edge);
-  return passes;
+  return straight_motion_exists(manipulator_, places_[a], change, places_[b].pose, max_steps_);
 }
 
-// Motions are proved only where the path goes; one that fails is avoided by the next try.
 std::vector<std::size_t> Roadmap::path(std::size_t from, std::size_t to) {
   if (neighbours_.empty()) connect();
   while (true) {
     std::vector<std::size_t> path = cheapest(from, to);
-    bool open = true;
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) open = passable(path[i], path[i + 1]) && open;
-    if (open) return path;
+    if (motions_.hold(path, [this](std::size_t a, std::size_t b) { return is_passable(a, b); })) return path;
   }
 }
 

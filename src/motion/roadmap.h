@@ -2,12 +2,11 @@
 #ifndef PARALLEL_ASPECTS_MOTION_ROADMAP_H
 #define PARALLEL_ASPECTS_MOTION_ROADMAP_H
 
+#include "motion/shortest_paths.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <cstddef>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -50,19 +49,17 @@ class Roadmap {
   std::vector<std::size_t> path(std::size_t from, std::size_t to);
 
  private:
-  using Edge = std::pair<std::size_t, std::size_t>;
-
   void connect();
   double cost(std::size_t a, std::size_t b) const;
   std::vector<std::size_t> cheapest(std::size_t from, std::size_t to) const;
-  bool passable(std::size_t a, std::size_t b);
+  bool is_passable(std::size_t a, std::size_t b) const;
 
   const Manipulator& manipulator_;
   int max_steps_;
   std::vector<Place> places_;
   std::vector<double> narrowness_;  // 1 over the smallest singular value, for each place
   std::vector<std::vector<std::size_t>> neighbours_;
-  std::set<Edge> proved_, blocked_;
+  ProvedEdges motions_;
 };
 
 }  // namespace parallel_aspects

@@ -2,12 +2,11 @@
 #include "model/message_text.h"
 #include "motion/choose/path_measures.h"
 #include "motion/choose/posture_change.h"
+#include "motion/shortest_paths.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
-#include <queue>
 #include <utility>
 
 namespace parallel_aspects {
@@ -16,7 +15,6 @@ namespace {
 constexpr std::size_t first_pieces = 96;
 constexpr int max_halvings = 6;     // of a piece that no working mode is proved for
 constexpr int parts_of_piece = 60;  // of its proof
-constexpr std::size_t no_state = std::numeric_limits<std::size_t>::max();
 
 /// Fewer changes are better, then shorter detours [m].
 using Cost = std::pair<int, double>;
@@ -117,20 +115,16 @@ class LiftGraph {
         control_(control),
         modes_(working_modes(manipulator)),
         legs_(manipulator.leg_count()),
-        search_(manipulator),
-        costs_(stations.count() * modes_.size(), {std::numeric_limits<int>::max(), 0.0}),
-        from_(costs_.size(), no_state) {}
+        search_(manipulator) {}
 
   /// Nodes from the start to the end; empty where none was found.
   std::vector<std::size_t> shortest() {
     for (std::size_t mode = 0; mode < modes_.size(); ++mode)
-      if (stations_.sign(0, mode) != 0) relax(no_state, mode, {0, 0.0});
-    while (!open_.empty() && !is_cancelled(control_)) {
-      const auto [cost, node] = open_.top();
-      open_.pop();
-      if (cost != costs_[node]) continue;
-      if (station(node) + 1 == stations_.count()) return trace(node);
-      expand(node, cost);
+      if (stations_.sign(0, mode) != 0) paths_.enter(mode, no_graph_node, {0, 0.0});
+    while (!is_cancelled(control_)) {
+      const std::size_t node = paths_.take();
+      if (node == no_graph_node || station(node) + 1 == stations_.count()) return paths_.path_to(node);
+      expand(node, paths_.cost(node));
     }
     return {};
   }
@@ -140,11 +134,9 @@ class LiftGraph {
   const PostureChange& change_to(std::size_t node) const { return changes_.at(node); }
 
  private:
-  using Open = std::pair<Cost, std::size_t>;
-
-  void expand(std::size_t node, const Cost& cost) {
+  void expand(std::size_t node, const Cost cost) {
     const std::size_t at = station(node), mode = node % modes_.size();
-    if (stations_.is_free(at, mode)) relax(node, node + modes_.size(), cost);
+    if (stations_.is_free(at, mode)) paths_.enter(node + modes_.size(), node, cost);
     for (std::size_t leg = 0; leg < legs_; ++leg) expand_change(node, leg, cost);
   }
 
@@ -156,26 +148,11 @@ class LiftGraph {
         static_cast<std::size_t>(std::find(modes_.begin(), modes_.end(), flipped) - modes_.begin());
     if (other == modes_.size() || stations_.sign(at, other) != stations_.sign(at, mode)) return;
     const std::size_t next = at * modes_.size() + other;
-    if (costs_[next] <= Cost{cost.first + 1, cost.second}) return;
+    if (!paths_.is_cheaper(next, {cost.first + 1, cost.second})) return;  // by the least that a change takes
     auto change = search_.find(stations_.at(at).pose, mode, leg, stations_.sign(at, mode));
     if (!change) return;
     change->time = stations_.at(at).time;
-    if (relax(node, next, {cost.first + 1, cost.second + change->detour})) changes_[next] = *change;
-  }
-
-  bool relax(std::size_t from, std::size_t to, const Cost& cost) {
-    if (costs_[to] <= cost) return false;
-    costs_[to] = cost;
-    from_[to] = from;
-    open_.push({cost, to});
-    return true;
-  }
-
-  std::vector<std::size_t> trace(std::size_t node) const {
-    std::vector<std::size_t> nodes;
-    for (; node != no_state; node = from_[node]) nodes.push_back(node);
-    std::reverse(nodes.begin(), nodes.end());
-    return nodes;
+    if (paths_.enter(next, node, {cost.first + 1, cost.second + change->detour})) changes_[next] = *change;
   }
 
   const Stations& stations_;
@@ -183,10 +160,8 @@ class LiftGraph {
   std::vector<WorkingMode> modes_;
   std::size_t legs_;
   PostureChangeSearch search_;
-  std::vector<Cost> costs_;                       // by node
-  std::vector<std::size_t> from_;                 // the node before
+  ShortestPaths<Cost> paths_;
   std::map<std::size_t, PostureChange> changes_;  // that lead to nodes
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
 };
 
 ChangingPath path_of(const LiftGraph& graph, const Stations& stations,

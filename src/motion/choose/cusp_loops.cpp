@@ -2,6 +2,7 @@
 #include "motion/choose/cusp_loops.h"
 
 #include "model/angles.h"
+#include "motion/shortest_paths.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 
@@ -9,8 +10,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -75,31 +74,20 @@ class CuspLoops::Search {
       : loops_(loops), cusp_(cusp), goal_values_(loops.values(goal)), ends_(loops.around(goal)) {}
 
   Way run(const Longer& longer, double least_room) const {
-    std::vector<double> costs(loops_.nodes_.size() * sides, std::numeric_limits<double>::infinity());
-    std::vector<std::size_t> before(costs.size());
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    const std::size_t start = start_node * sides + most_turns;
-    open.emplace(costs[start] = longer(0.0, loops_.nodes_[start_node].room), start);
-    while (!open.empty()) {
-      const auto [cost, at] = open.top();
-      open.pop();
-      if (cost > costs[at]) continue;
-      if (is_end(at)) return {cost, way_to(at, before)};
+    ShortestPaths<double> paths;
+    paths.enter(start_node * sides + most_turns, no_graph_node, longer(0.0, loops_.nodes_[start_node].room));
+    for (std::size_t at = paths.take(); at != no_graph_node; at = paths.take()) {
+      if (is_end(at)) return {paths.cost(at), nodes_of(paths.path_to(at))};
       for (const std::size_t node : loops_.neighbours(at / sides)) {
         const auto next = state_at(node, at);
         if (!next || loops_.nodes_[node].room < least_room) continue;
-        const double longer_cost = longer(cost, loops_.nodes_[node].room);
-        if (longer_cost >= costs[*next]) continue;
-        costs[*next] = longer_cost, before[*next] = at;
-        open.emplace(longer_cost, *next);
+        paths.enter(*next, at, longer(paths.cost(at), loops_.nodes_[node].room));
       }
     }
     return {};
   }
 
  private:
-  using Entry = std::pair<double, std::size_t>;
-
   static int turns_of(std::size_t state) { return static_cast<int>(state % sides) - most_turns; }
 
   std::optional<std::size_t> state_at(std::size_t node, std::size_t from) const {
@@ -116,12 +104,9 @@ class CuspLoops::Search {
            turns_of(state) + loops_.passes_cut(loops_.nodes_[node].q, goal_values_, cusp_) != 0;
   }
 
-  static std::vector<std::size_t> way_to(std::size_t state, const std::vector<std::size_t>& before) {
-    std::vector<std::size_t> nodes;
-    for (; state != start_node * sides + most_turns; state = before[state]) nodes.push_back(state / sides);
-    nodes.push_back(start_node);
-    std::reverse(nodes.begin(), nodes.end());
-    return nodes;
+  static std::vector<std::size_t> nodes_of(std::vector<std::size_t> states) {
+    for (std::size_t& state : states) state /= sides;
+    return states;
   }
 
   const CuspLoops& loops_;

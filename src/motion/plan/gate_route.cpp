@@ -3,12 +3,10 @@
 
 #include "aspects/constraints/serial_margin.h"
 #include "motion/plan/leaf_path.h"
+#include "motion/shortest_paths.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -36,13 +34,10 @@ class RouteSearch {
 
   std::optional<GateRoute> run() {
     for (std::size_t i = 0; i < places_.size(); ++i)
-      if (places_[i].kind == Kind::start) reach(i, i, 0.0);
-    while (!open_.empty()) {
-      const std::size_t at = open_.top().second;
-      open_.pop();
+      if (places_[i].kind == Kind::start) enter(i, no_graph_node, 0.0);
+    for (std::size_t at = paths_.take(); at != no_graph_node; at = paths_.take()) {
       if (places_[at].kind == Kind::goal) return route(at);
-      if (!done_[at]) expand(at, cost_[at]);
-      done_[at] = true;
+      expand(at, paths_.cost(at));
     }
     return std::nullopt;
   }
@@ -56,7 +51,6 @@ class RouteSearch {
     std::size_t beyond = 0;     // of a place before a gate, that behind it
     double cost_of_gate = 0.0;  // likewise
   };
-  static constexpr double infinite = std::numeric_limits<double>::infinity();
 
   static bool may_pass(Crossing crossing, PathPolicy policy) {
     switch (policy) {
@@ -93,10 +87,7 @@ class RouteSearch {
     if (place.kind == Kind::before_gate || place.kind == Kind::goal)
       ends_in_aspect_[static_cast<std::size_t>(place.at.aspect - 1)].push_back(places_.size());
     places_.push_back(place);
-    cost_.push_back(infinite);
-    before_.push_back(0);
-    done_.push_back(false);
-    double nearest = infinite;
+    double nearest = std::numeric_limits<double>::infinity();
     for (const PoseInAspect& goal : goals_)
       nearest = std::min(nearest, distance_between(robot_, place.at.pose, goal.pose));
     to_goal_.push_back(nearest);
@@ -104,31 +95,26 @@ class RouteSearch {
 
   void expand(std::size_t at, double cost) {
     const Place& here = places_[at];
-    if (here.kind == Kind::before_gate) return reach(here.beyond, at, cost + here.cost_of_gate);
+    if (here.kind == Kind::before_gate) return enter(here.beyond, at, cost + here.cost_of_gate);
     for (const std::size_t to : ends_in_aspect_[static_cast<std::size_t>(here.at.aspect - 1)])
       if (barred_.count({at, to}) == 0)
-        reach(to, at, cost + distance_between(robot_, here.at.pose, places_[to].at.pose));
+        enter(to, at, cost + distance_between(robot_, here.at.pose, places_[to].at.pose));
   }
 
-  void reach(std::size_t place, std::size_t before, double cost) {
-    if (!(cost < cost_[place])) return;
-    cost_[place] = cost;
-    before_[place] = before;
-    open_.push({cost + to_goal_[place], place});
+  void enter(std::size_t place, std::size_t before, double cost) {
+    paths_.enter(place, before, cost, cost + to_goal_[place]);
   }
 
   GateRoute route(std::size_t goal) const {
+    const std::vector<std::size_t> path = paths_.path_to(goal);
     GateRoute result;
+    result.start = places_[path.front()].step.gate;
     result.goal = places_[goal].step.gate;
-    std::size_t at = goal;
-    for (; places_[at].kind != Kind::start; at = before_[at])
-      if (places_[at].kind == Kind::behind_gate)
-        result.steps.push_back(places_[at].step);
+    for (std::size_t i = 1; i < path.size(); ++i)
+      if (places_[path[i]].kind == Kind::behind_gate)
+        result.steps.push_back(places_[path[i]].step);
       else
-        result.stretches.emplace_back(before_[at], at);
-    result.start = places_[at].step.gate;
-    std::reverse(result.steps.begin(), result.steps.end());
-    std::reverse(result.stretches.begin(), result.stretches.end());
+        result.stretches.emplace_back(path[i - 1], path[i]);
     return result;
   }
 
@@ -137,11 +123,8 @@ class RouteSearch {
   const BarredStretches& barred_;
   std::vector<std::vector<std::size_t>> ends_in_aspect_;  // where stretches end, by id - 1
   std::vector<Place> places_;
-  std::vector<double> cost_, to_goal_;
-  std::vector<bool> done_;
-  std::vector<std::size_t> before_;
-  using Open = std::pair<double, std::size_t>;
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
+  std::vector<double> to_goal_;  // as the crow flies
+  ShortestPaths<double> paths_;
 };
 
 }  // namespace

@@ -5,12 +5,12 @@
 #include "aspects/tree/near_leaves.h"
 #include "aspects/tree/neighbour_leaves.h"
 #include "motion/plan/path_shape.h"
+#include "motion/shortest_paths.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <queue>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -44,36 +44,23 @@ class LeafSearch {
     last_.insert(choice_.last.begin(), choice_.last.end());
     for (const NodeIndex leaf : choice_.first)
       if (!is_barred(no_node, leaf) && may_lead_on(leaf))
-        enter(leaf, no_node, distance(from_, middle(leaf)), index_steps);
-    while (!open_.empty() && !is_cancelled(choice_.control)) {
-      const NodeIndex leaf = open_.top().leaf;
-      if (leaf == no_node) return path();
-      open_.pop();
-      Entry& here = reached_[leaf];
-      if (here.closed) continue;
-      here.closed = true;
-      expand(leaf, here);
+        enter(leaf, no_graph_node, distance(from_, middle(leaf)), index_steps);
+    while (!is_cancelled(choice_.control)) {
+      const std::size_t at = paths_.take();
+      if (at == no_graph_node) break;
+      if (reached_[at].leaf == no_node) return path_to(at);
+      expand(at);
     }
     return {};
   }
 
  private:
-  /// How a leaf was reached.
-  struct Entry {
-    double width = -1.0;  // of the way there, in steps of the index; see `width_of`
-    double cost = std::numeric_limits<double>::infinity();
-    NodeIndex before = no_node;
-    bool closed = false;
-    double own_width = 0.0;
+  /// A leaf that was reached, or the goal.
+  struct Reached {
+    NodeIndex leaf = no_node;
+    double own_width = 0.0;  // in steps of the index; see `width_of`
     Pose middle;
     std::optional<LeafPassage> passage{};  // from the leaf before, where they share no face
-  };
-  struct Open {
-    double width, bound;
-    NodeIndex leaf;
-    friend bool operator<(const Open& a, const Open& b) {
-      return a.width != b.width ? a.width < b.width : a.bound > b.bound;
-    }
   };
 
   double distance(const Pose& a, const Pose& b) const { return distance_between(*map_.manipulator, a, b); }
@@ -109,45 +96,48 @@ class LeafSearch {
     return std::floor(index_steps * std::min(1.0, item->second / choice_.wanted_index));
   }
 
-  void enter(NodeIndex leaf, NodeIndex before, double cost, double width,
-             const std::optional<LeafPassage>& passage = std::nullopt) {
-    const auto [item, is_new] = reached_.try_emplace(leaf);
-    Entry& entry = item->second;
+  std::size_t number_of(NodeIndex leaf) {
+    const auto [item, is_new] = numbers_.try_emplace(leaf, reached_.size());
     if (is_new) {
-      entry.middle = leaf == no_node ? to_ : middle(leaf);
-      entry.own_width = leaf == no_node ? index_steps : width_of(leaf, entry.middle);
+      const Pose at = leaf == no_node ? to_ : middle(leaf);
+      reached_.push_back({leaf, leaf == no_node ? index_steps : width_of(leaf, at), at});
     }
-    const double least = std::min(width, entry.own_width);
-    if (least < entry.width || (least == entry.width && !(cost < entry.cost))) return;
-    entry.width = least;
-    entry.cost = cost;
-    entry.before = before;
-    entry.passage = passage;
-    open_.push({least, cost + greed * distance(entry.middle, to_), leaf});
+    return item->second;
   }
 
-  void expand(NodeIndex leaf, const Entry& here) {
-    const Pose at = here.middle;
-    const double cost = here.cost, width = here.width;
+  /// From the leaf with the number `before`.
+  void enter(NodeIndex leaf, std::size_t before, double length, double width,
+             const std::optional<LeafPassage>& passage = std::nullopt) {
+    const std::size_t number = number_of(leaf);
+    Reached& there = reached_[number];
+    const WidthAndLength cost{std::min(width, there.own_width), length};
+    if (paths_.enter(number, before, cost, {cost.width, length + greed * distance(there.middle, to_)}))
+      there.passage = passage;
+  }
+
+  void expand(std::size_t at) {
+    const NodeIndex leaf = reached_[at].leaf;
+    const Pose here = reached_[at].middle;
+    const auto [width, length] = paths_.cost(at);
     if (last_.count(leaf) > 0 && !is_barred(leaf, no_node))
-      enter(no_node, leaf, cost + distance(at, to_), width);
+      enter(no_node, at, length + distance(here, to_), width);
     for (const NodeIndex next : neighbour_leaves(map_.tree, mode_, leaf)) {
       if (!may_pass(next) || is_barred(leaf, next)) continue;
-      const auto known = reached_.find(next);
-      if (known != reached_.end() && known->second.closed) continue;
-      const Pose& there = known != reached_.end() ? known->second.middle : middle(next);
-      enter(next, leaf, cost + price(next) * distance(at, there), width);
+      const auto known = numbers_.find(next);
+      if (known != numbers_.end() && paths_.is_taken(known->second)) continue;
+      const Pose there = known != numbers_.end() ? reached_[known->second].middle : middle(next);
+      enter(next, at, length + price(next) * distance(here, there), width);
     }
-    if (choice_.passages != nullptr) expand_by_passages(leaf, at, cost, width);
+    if (choice_.passages != nullptr) expand_by_passages(at);
   }
 
-  void expand_by_passages(NodeIndex leaf, const Pose& at, double cost, double width) {
+  void expand_by_passages(std::size_t at) {
+    const NodeIndex leaf = reached_[at].leaf;
     const auto climbs = choice_.passages->find(leaf);
     if (climbs != choice_.passages->end())
-      for (const LeafPassage& passage : climbs->second) enter_by(passage, leaf, at, cost, width);
+      for (const LeafPassage& passage : climbs->second) enter_by(passage, at);
     for (const LeafPassage& passage : passages_beside(map_, aspect_, leaf))
-      if (reached_.count(passage.to) == 0 && is_proved(passage, leaf))
-        enter_by(passage, leaf, at, cost, width);
+      if (numbers_.count(passage.to) == 0 && is_proved(passage, leaf)) enter_by(passage, at);
   }
 
   bool is_proved(const LeafPassage& passage, NodeIndex leaf) const {
@@ -157,12 +147,13 @@ class LeafSearch {
     return item->second;
   }
 
-  void enter_by(const LeafPassage& passage, NodeIndex leaf, const Pose& at, double cost, double width) {
-    if (reached_.count(passage.to) > 0 || is_barred(leaf, passage.to)) return;
-    double length = distance(at, passage.poses.front());
+  void enter_by(const LeafPassage& passage, std::size_t at) {
+    if (numbers_.count(passage.to) > 0 || is_barred(reached_[at].leaf, passage.to)) return;
+    double length = distance(reached_[at].middle, passage.poses.front());
     for (std::size_t i = 0; i + 1 < passage.poses.size(); ++i)
       length += distance(passage.poses[i], passage.poses[i + 1]);
-    enter(passage.to, leaf, cost + cost_of_undecided_leaves * length, width, passage);
+    const auto [width, before] = paths_.cost(at);
+    enter(passage.to, at, before + cost_of_undecided_leaves * length, width, passage);
   }
 
   Pose middle(NodeIndex leaf) const {
@@ -191,23 +182,22 @@ class LeafSearch {
     return nearest_pose;
   }
 
-  std::vector<LeafStep> path() const {
-    std::vector<NodeIndex> leaves;
-    for (NodeIndex leaf = reached_.at(no_node).before; leaf != no_node; leaf = reached_.at(leaf).before)
-      leaves.push_back(leaf);
-    std::reverse(leaves.begin(), leaves.end());
-    std::vector<LeafStep> steps{{from_, no_node}, {nearest_in(map_, leaves.front(), from_), leaves.front()}};
-    for (std::size_t i = 1; i < leaves.size(); ++i) {
-      if (const auto& passage = reached_.at(leaves[i]).passage) {
-        steps.push_back({passage->poses.front(), leaves[i - 1]});
-        for (std::size_t k = 1; k < passage->poses.size(); ++k)
-          steps.push_back({passage->poses[k], leaves[i]});
+  std::vector<LeafStep> path_to(std::size_t goal) const {
+    std::vector<std::size_t> path = paths_.path_to(goal);
+    path.pop_back();
+    const NodeIndex first = reached_[path.front()].leaf, last = reached_[path.back()].leaf;
+    std::vector<LeafStep> steps{{from_, no_node}, {nearest_in(map_, first, from_), first}};
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const NodeIndex before = reached_[path[i - 1]].leaf, leaf = reached_[path[i]].leaf;
+      if (const auto& passage = reached_[path[i]].passage) {
+        steps.push_back({passage->poses.front(), before});
+        for (std::size_t k = 1; k < passage->poses.size(); ++k) steps.push_back({passage->poses[k], leaf});
         continue;
       }
-      steps.push_back({entrance(steps.back().pose, leaves[i - 1], leaves[i]), leaves[i]});
-      if (choice_.wanted_index > 0.0) steps.push_back({middle(leaves[i]), leaves[i]});
+      steps.push_back({entrance(steps.back().pose, before, leaf), leaf});
+      if (choice_.wanted_index > 0.0) steps.push_back({middle(leaf), leaf});
     }
-    steps.push_back({nearest_in(map_, leaves.back(), to_), leaves.back()});
+    steps.push_back({nearest_in(map_, last, to_), last});
     steps.push_back({to_, no_node});
     return steps;
   }
@@ -220,8 +210,9 @@ class LeafSearch {
   const Pose &from_, &to_;
   const LeafChoice& choice_;
   std::unordered_set<NodeIndex> last_;
-  std::unordered_map<NodeIndex, Entry> reached_;
-  std::priority_queue<Open> open_;
+  std::unordered_map<NodeIndex, std::size_t> numbers_;  // of what was reached
+  std::vector<Reached> reached_;
+  ShortestPaths<WidthAndLength> paths_;
 };
 
 }  // namespace

@@ -11,11 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
-#include <queue>
-#include <tuple>
 
 namespace parallel_aspects {
 namespace {
@@ -37,14 +34,14 @@ PoseGraph::PoseGraph(const PoseRoadmap& roadmap, const RoadmapSide& side, const 
 }
 
 /// Those that have it among their nearest are left out but for the goal, which is beside all.
-const std::vector<PoseGraph::Vertex>& PoseGraph::beside(Vertex vertex) {
-  std::vector<Vertex>& nearest = beside_[vertex];
+const std::vector<std::size_t>& PoseGraph::beside(std::size_t vertex) {
+  std::vector<std::size_t>& nearest = beside_[vertex];
   if (!nearest.empty()) return nearest;
   nearest.resize(poses_.size());
-  std::iota(nearest.begin(), nearest.end(), Vertex{0});
+  std::iota(nearest.begin(), nearest.end(), std::size_t{0});
   const std::size_t count = std::min(nearest_wanted + 1, nearest.size());
   std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(count), nearest.end(),
-                    [&](Vertex a, Vertex b) { return distance(vertex, a) < distance(vertex, b); });
+                    [&](std::size_t a, std::size_t b) { return distance(vertex, a) < distance(vertex, b); });
   nearest.resize(count);
   nearest.erase(std::remove(nearest.begin(), nearest.end(), vertex), nearest.end());
   if (std::find(nearest.begin(), nearest.end(), goal) == nearest.end()) nearest.push_back(goal);
@@ -52,58 +49,32 @@ const std::vector<PoseGraph::Vertex>& PoseGraph::beside(Vertex vertex) {
 }
 
 /// By falling least index, then by the distance to the goal as the crow flies.
-std::vector<PoseGraph::Vertex> PoseGraph::search(double wanted_index) {
-  using Open = std::tuple<double, double, Vertex>;  // width, minus the bound of the length, vertex
-  const double infinite = std::numeric_limits<double>::infinity();
-  std::vector<double> width(poses_.size(), -1.0), cost(poses_.size(), infinite);
-  std::vector<Vertex> before(poses_.size(), start);
-  std::vector<bool> is_done(poses_.size(), false);
-  const auto width_at = [&](Vertex vertex) {
+std::vector<std::size_t> PoseGraph::search(double wanted_index) {
+  const auto width_at = [&](std::size_t vertex) {
     return wanted_index > 0.0 ? std::floor(index_steps * std::min(1.0, indices_[vertex] / wanted_index))
                               : index_steps;
   };
-  std::priority_queue<Open> open;
-  width[start] = index_steps, cost[start] = 0.0;
-  open.emplace(width[start], -distance(start, goal), start);
-  while (!open.empty() && !is_done[goal]) {
-    const Vertex at = std::get<2>(open.top());
-    open.pop();
-    if (is_done[at]) continue;
-    is_done[at] = true;
-    for (const Vertex next : beside(at)) {
-      if (is_done[next] || barred_.count(std::minmax(at, next)) > 0) continue;
-      const double least = std::min(width[at], width_at(next)), length = cost[at] + distance(at, next);
-      if (least < width[next] || (least == width[next] && !(length < cost[next]))) continue;
-      width[next] = least, cost[next] = length, before[next] = at;
-      open.emplace(least, -length - distance(next, goal), next);
+  ShortestPaths<WidthAndLength> paths;
+  paths.enter(start, no_graph_node, {index_steps, 0.0});
+  std::size_t at = paths.take();
+  for (; at != no_graph_node && at != goal; at = paths.take()) {
+    const auto [width, length] = paths.cost(at);
+    for (const std::size_t next : beside(at)) {
+      if (paths.is_taken(next) || edges_.is_barred(at, next)) continue;
+      const WidthAndLength cost{std::min(width, width_at(next)), length + distance(at, next)};
+      paths.enter(next, at, cost, {cost.width, cost.length + distance(next, goal)});
     }
   }
-  if (!is_done[goal]) return {};
-  std::vector<Vertex> path{goal};
-  while (path.back() != start) path.push_back(before[path.back()]);
-  std::reverse(path.begin(), path.end());
-  return path;
-}
-
-bool PoseGraph::is_proved(const std::vector<Vertex>& path) {
-  bool all = true;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const auto edge = std::minmax(path[i], path[i + 1]);
-    if (proved_.count(edge) > 0) continue;
-    const bool is_free = segments_.is_free(poses_[path[i]], poses_[path[i + 1]]);
-    (is_free ? proved_ : barred_).insert(edge);
-    all = all && is_free;
-  }
-  return all;
+  return paths.path_to(at);
 }
 
 std::vector<Pose> PoseGraph::find(double wanted_index) {
+  const auto prove = [this](std::size_t a, std::size_t b) { return segments_.is_free(poses_[a], poses_[b]); };
   for (int i = 0; i < most_searches; ++i) {
-    const std::vector<Vertex> path = search(wanted_index);
-    if (path.empty()) return {};
-    if (!is_proved(path)) continue;
+    const std::vector<std::size_t> path = search(wanted_index);
+    if (!edges_.hold(path, prove)) continue;
     std::vector<Pose> poses;
-    for (const Vertex vertex : path) poses.push_back(poses_[vertex]);
+    for (const std::size_t vertex : path) poses.push_back(poses_[vertex]);
     return poses;
   }
   return {};

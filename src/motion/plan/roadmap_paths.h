@@ -4,6 +4,7 @@
 
 #include "aspects/roadmap/roadmap_growth.h"
 #include "motion/plan/path_shape.h"
+#include "motion/shortest_paths.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"
@@ -11,8 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -30,20 +29,18 @@ class PoseGraph {
   std::vector<Pose> find(double wanted_index);
 
  private:
-  using Vertex = std::uint32_t;
-  static constexpr Vertex start = 0, goal = 1;
+  static constexpr std::size_t start = 0, goal = 1;
 
-  const std::vector<Vertex>& beside(Vertex vertex);
-  double distance(Vertex a, Vertex b) const { return (points_[a] - points_[b]).norm(); }
-  std::vector<Vertex> search(double wanted_index);
-  bool is_proved(const std::vector<Vertex>& path);
+  const std::vector<std::size_t>& beside(std::size_t vertex);
+  double distance(std::size_t a, std::size_t b) const { return (points_[a] - points_[b]).norm(); }
+  std::vector<std::size_t> search(double wanted_index);
 
   const SegmentsInMode& segments_;
   std::vector<Pose> poses_;
   std::vector<AnchorPoint> points_;
   std::vector<double> indices_;
-  std::vector<std::vector<Vertex>> beside_;              // empty while not asked for
-  std::set<std::pair<Vertex, Vertex>> proved_, barred_;  // the lower one first
+  std::vector<std::vector<std::size_t>> beside_;  // empty while not asked for
+  ProvedEdges edges_;
 };
 
 /// Where one leg changes its posture. Proved: the segment from `outer` to `inner` is free in either working
