@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/configuration_at.h"
 
-#include <Eigen/Dense>
-
+#include "support/elimination.h"
 #include <algorithm>
 #include <cmath>
 #include <variant>
@@ -137,7 +136,7 @@ typename ConfigurationAt<Number>::Matrix ConfigurationAt<Number>::rows() const {
 template <class Number>
 Number ConfigurationAt<Number>::determinant_of(const Matrix& m) {
   if (m.rows() == 2) return m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
-  if (m.rows() != 3) return m.determinant();
+  if (m.rows() != 3) return determinant_by_elimination(m);
   return m(0, 0) * (m(1, 1) * m(2, 2) - m(1, 2) * m(2, 1)) -
          m(0, 1) * (m(1, 0) * m(2, 2) - m(1, 2) * m(2, 0)) +
          m(0, 2) * (m(1, 0) * m(2, 1) - m(1, 1) * m(2, 0));

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/index_at.h"
 
-#include <Eigen/Dense>
-
+#include "support/elimination.h"
 #include <algorithm>
 #include <cmath>
 #include <variant>
@@ -24,13 +23,13 @@ IndexAt::Number IndexAt::parallel() const {
   if (robot_.task_space() == TaskSpace::T1) return std::abs(rods_[0].x()) / rods_[0].head(2).norm();
   Matrix rows = all_rows();
   rows.rowwise().normalize();
-  const Matrix products = rows * rows.transpose();
-  return std::sqrt(std::max<Number>(0.0L, products.determinant()));
+  const Matrix products = rows.lazyProduct(rows.transpose());
+  return std::sqrt(std::max<Number>(0.0L, determinant_by_elimination(products)));
 }
 
 IndexAt::Number IndexAt::signed_determinant() const {
   if (robot_.task_space() == TaskSpace::T1) return rods_[0].x();
-  return std::pow(length(), static_cast<Number>(rotations())) * all_rows().determinant();
+  return std::pow(length(), static_cast<Number>(rotations())) * determinant_by_elimination(all_rows());
 }
 
 IndexAt::Number IndexAt::serial() const {
