@@ -14,7 +14,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int starts_of_one = 4;
+constexpr int starts_of_one = 4;  // of which zero, where most robots are drawn closed, is the first
 
 // As they hold most.
 std::vector<Closure> as_drawn(std::vector<Closure> closures) {
@@ -28,16 +28,35 @@ std::vector<bool> joints_in_loops(const std::shared_ptr<const Tree>& tree, const
   return ClosureSystem(tree, resolved.base, as_drawn(resolved.closures)).in_loop();
 }
 
+bool has_joint(const std::vector<Chain>& chains, std::size_t joint) {
+  return std::any_of(chains.begin(), chains.end(), [joint](const Chain& chain) {
+    return std::any_of(chain.begin(), chain.end(),
+                       [joint](const Pivot& pivot) { return pivot.variable == joint; });
+  });
+}
+
+bool share_a_joint(const std::vector<Chain>& some, const std::vector<Chain>& others) {
+  return std::any_of(some.begin(), some.end(), [&](const Chain& chain) {
+    return std::any_of(chain.begin(), chain.end(), [&](const Pivot& pivot) {
+      return pivot.variable && has_joint(others, *pivot.variable);
+    });
+  });
+}
+
+// Those that hold the platform in no way while their actuated joints are locked, with these.
 std::vector<std::vector<Chain>> idle_chains(const std::shared_ptr<const Tree>& tree,
                                             const ResolvedConfig& resolved, const SourceNames& files) {
   const ClosureSystem system(tree, resolved.base, as_drawn(resolved.closures));
   const auto closed = closed_configurations(system, starts_of_one, 1);
   if (closed.empty()) return {};
-  std::vector<bool> locked(system.in_loop().size(), false);
+  const std::vector<bool> none(system.in_loop().size(), false);
+  std::vector<bool> locked = none;
   for (const std::size_t joint : resolved.actuated_joints.variables) locked[joint] = true;
+  const ActuatedJoints& joints = resolved.actuated_joints;
   std::vector<std::vector<Chain>> idle;
-  for (JoiningPart& part : joining_parts({system, closed.front(), locked}, resolved.actuated_joints, files))
-    if (part.freedom == 6) idle.push_back(std::move(part.chains));
+  for (const JoiningPart& whole : joining_parts({system, closed.front(), none}, joints, files))
+    for (const JoiningPart& part : joining_parts({system, closed.front(), locked}, joints, files))
+      if (part.freedom == 6 && share_a_joint(part.chains, whole.chains)) idle.push_back(whole.chains);
   return idle;
 }
 
@@ -49,11 +68,18 @@ std::vector<std::size_t> taken_out(const std::vector<bool>& before, const std::v
   return joints;
 }
 
-bool has_joint(const std::vector<Chain>& chains, std::size_t joint) {
-  return std::any_of(chains.begin(), chains.end(), [joint](const Chain& chain) {
-    return std::any_of(chain.begin(), chain.end(),
-                       [joint](const Pivot& pivot) { return pivot.variable == joint; });
-  });
+// Those of the actuated joints that are in these chains, as where the platform hangs on one of them.
+std::vector<std::size_t> motors_in(const std::vector<Chain>& chains, const ResolvedConfig& resolved) {
+  std::vector<std::size_t> motors;
+  for (const std::size_t joint : resolved.actuated_joints.variables)
+    if (has_joint(chains, joint)) motors.push_back(joint);
+  return motors;
+}
+
+void leave_out(const std::vector<std::size_t>& motors, ResolvedConfig& resolved) {
+  auto& actuated = resolved.actuated_joints.variables;
+  for (const std::size_t motor : motors)
+    actuated.erase(std::remove(actuated.begin(), actuated.end(), motor), actuated.end());
 }
 
 // Opens what puts the joints of these chains into loops. Nothing where they are a passive chain that is
@@ -72,12 +98,9 @@ std::optional<ResolvedConfig> without(const std::vector<Chain>& chains,
       fewer = std::move(opened);
   }
   if (fewer.closures.empty() || fewer.closures.size() == resolved.closures.size()) return std::nullopt;
-  const auto joints = taken_out(before, joints_in_loops(tree, fewer));
-  auto& actuated = fewer.actuated_joints.variables;
-  for (const std::size_t joint : joints)
-    actuated.erase(std::remove(actuated.begin(), actuated.end(), joint), actuated.end());
+  leave_out(taken_out(before, joints_in_loops(tree, fewer)), fewer);
   std::string unused;
-  const bool drives = actuated.size() < resolved.actuated_joints.variables.size();
+  const bool drives = fewer.actuated_joints.variables.size() < resolved.actuated_joints.variables.size();
   return drives || !recognise_passive_chain({chains, false}, unused) ? std::optional(fewer) : std::nullopt;
 }
 
@@ -92,11 +115,25 @@ Note names_of(const Tree& tree, const std::vector<std::size_t>& joints) {
 std::optional<Note> leave_out_idle_chains(const std::shared_ptr<const Tree>& tree, const SourceNames& files,
                                           ResolvedConfig& resolved) {
   ResolvedConfig fewer = resolved;
-  for (const std::vector<Chain>& chains : idle_chains(tree, resolved, files))
-    if (auto left = without(chains, tree, fewer)) fewer = std::move(*left);
-  if (fewer.closures.size() == resolved.closures.size() ||
-      !is_actuation_count(fewer.actuated_joints.variables.size()))
-    return std::nullopt;
+  std::vector<std::size_t> idle;
+  for (const std::vector<Chain>& chains : idle_chains(tree, resolved, files)) {
+    const std::vector<std::size_t> motors = motors_in(chains, fewer);
+    if (auto left = without(chains, tree, fewer)) {
+      fewer = std::move(*left);
+    } else {
+      leave_out(motors, fewer);
+      idle.insert(idle.end(), motors.begin(), motors.end());
+    }
+  }
+  if (!is_actuation_count(fewer.actuated_joints.variables.size())) return std::nullopt;
+  if (fewer.closures.size() == resolved.closures.size()) {
+    if (idle.empty()) return std::nullopt;
+    resolved = std::move(fewer);
+    return files.urdf +
+           " hangs the platform on a chain that takes nothing from it, even with its actuated joints locked; "
+           "these move nothing else and are not taken as actuated: " +
+           names_of(*tree, idle) + ".";
+  }
   const std::vector<bool> before = joints_in_loops(tree, resolved);
   resolved = std::move(fewer);
   return files.urdf +

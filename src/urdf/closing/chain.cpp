@@ -217,7 +217,7 @@ class LegFinder {
     const std::vector<Chain> chains = chains_of(part);
     if (chains.size() < max_chains && steps_ < max_steps) {
       if (found.empty())
-        legs.passive.push_back({chains, restricts(joining, index)});
+        legs.passive.push_back({chains, restricts(joining, index), freedom_left({held_by(part)}) == 6});
       else
         legs.legs.push_back({found.front(), chains});
       return;

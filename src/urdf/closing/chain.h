@@ -42,6 +42,7 @@ struct LegChains {
 struct PassiveChains {
   std::vector<Chain> chains;
   bool restricts = false;  ///< whether the platform could move in more ways without it
+  bool is_free = false;    ///< whether it lets the platform move in all six ways
 };
 
 /// All that joins the platform to the base.

@@ -2,6 +2,7 @@
 #include "urdf/recognition/completion.h"
 
 #include "model/linear_algebra.h"
+#include "urdf/recognition/follower.h"
 
 #include <Eigen/Geometry>
 
@@ -51,23 +52,9 @@ struct Turn {
 };
 using Turns = std::vector<Turn>;
 
-Vector3d directed_axis(const Pivot& pivot) { return pivot.sense * pivot.axis; }
-
 bool is_free(const Chain& group) {
   return std::any_of(group.begin(), group.end(),
                      [](const Pivot& pivot) { return pivot.kind == PivotKind::ball; });
-}
-
-Isometry3d about(const Vector3d& center, const Matrix3d& turned) {
-  Isometry3d motion = Isometry3d::Identity();
-  motion.linear() = turned;
-  motion.translation() = center - turned * center;
-  return motion;
-}
-
-Isometry3d motion_of(const Pivot& pivot, double step) {
-  if (pivot.kind == PivotKind::revolute) return about(pivot.point, rotation(directed_axis(pivot), step));
-  return Isometry3d(Eigen::Translation3d(step * directed_axis(pivot)));
 }
 
 int side(const Vector3d& first, const Vector3d& second, const Vector3d& of) {
@@ -124,9 +111,11 @@ Pointing pointing_of_three(const Chain& group, const Vector3d& rod, const Vector
   return {};
 }
 
-// Turns of a group that bring `from` to `to`; at the assembled configuration the rod points along `rod`.
-Turns turns_towards(const Chain& group, const Vector3d& rod, const Vector3d& from, const Vector3d& to) {
+// Turns of a group that bring `from` to the direction of `to`, whose length differs where a file is rounded;
+// at the assembled configuration the rod points along `rod`.
+Turns turns_towards(const Chain& group, const Vector3d& rod, const Vector3d& from, Vector3d to) {
   if (group.empty() || is_free(group)) return {};
+  if (to.norm() > 0.0) to *= from.norm() / to.norm();
   const std::vector<const Pivot*> pivots = two_that_point(group, rod);
   const Pointing by_two = pointing(*pivots.front(), *pivots.back(), rod, from, to);
   if (by_two.reaches) return by_two.turns;
@@ -266,7 +255,12 @@ Eigen::VectorXd Completion::joint_values(const Pose& pose, const JointVector& q)
     values[static_cast<Eigen::Index>(actuated_variables_[j])] = q[index];
     for (const SplitChain& chain : legs_[j].chains) solve(chain, steps[index], platform, values);
   }
-  for (const PassiveChain& chain : passive_chains_) follow(chain, platform, values);
+  for (const PassiveChain& chain : passive_chains_)
+    if (chain.follower.empty())
+      follow(chain, platform, values);
+    else
+      for (const FollowerStep& each : steps_of_follower(chain.follower, platform, system_.size()))
+        set(each.joint, each.step, values);
   return values;
 }
 
@@ -309,13 +303,16 @@ void Completion::follow(const PassiveChain& chain, const Isometry3d& platform_mo
     axes.col(static_cast<Eigen::Index>(k)) = directed_axis(chain.slides[k]);
   const Eigen::VectorXd steps = least_squares_solution(axes, displacement, 1e-6);
   for (std::size_t k = 0; k < chain.slides.size(); ++k)
-    if (const auto variable = chain.slides[k].variable)
-      values[static_cast<Eigen::Index>(*variable)] += steps[static_cast<Eigen::Index>(k)];
+    set(chain.slides[k], steps[static_cast<Eigen::Index>(k)], values);
 }
 
 void Completion::set(const Pivot& pivot, double step, Eigen::VectorXd& values) const {
   if (!pivot.variable) return;
   const auto index = static_cast<Eigen::Index>(*pivot.variable);
+  if (pivot.kind == PivotKind::prismatic) {
+    values[index] = reference_[index] + step;
+    return;
+  }
   const JointLimits& limits = system_.tree().joint_of(*pivot.variable).limits;
   const double value = std::remainder(reference_[index] + step, 2.0 * EIGEN_PI);
   values[index] = value;

@@ -131,8 +131,8 @@ std::vector<std::string> unbounded_slides(const std::vector<PassiveChain>& chain
                                           const std::vector<std::size_t>& bounded, const Tree& tree) {
   std::vector<std::string> names;
   for (const PassiveChain& chain : chains)
-    for (const Pivot& slide : chain.slides)
-      if (slide.variable && tree.joint_of(*slide.variable).limits.limited() &&
+    for (const Pivot& slide : chain.follower.empty() ? chain.slides : chain.follower)
+      if (slides(slide) && slide.variable && tree.joint_of(*slide.variable).limits.limited() &&
           std::find(bounded.begin(), bounded.end(), *slide.variable) == bounded.end())
         names.push_back(slide.name);
   return names;
@@ -162,8 +162,10 @@ std::optional<PassiveChain> recognise_passive_chain(const PassiveChains& found, 
   const auto late = std::find_if(middle, chain.end(), slides);
   reason = late != chain.end() ? "has the slide " + quoted(*late) + " after a joint that turns it"
                                : problem_of(result.rotations);
-  if (!reason.empty()) return std::nullopt;
-  return result;
+  if (reason.empty()) return result;
+  if (!found.is_free) return std::nullopt;
+  reason.clear();
+  return PassiveChain{{}, {}, chain, false};
 }
 
 SlideBounds slide_bounds(const std::vector<PassiveChain>& chains, const ClosureSystem& system,
@@ -177,7 +179,8 @@ Notes notes_on(const std::vector<PassiveChain>& chains, const SlideBounds& bound
   Notes notes;
   for (const PassiveChain& chain : chains) {
     Chain all = chain.slides;
-    all.insert(all.end(), chain.rotations.begin(), chain.rotations.end());
+    for (const Chain& more : {chain.rotations, chain.follower})
+      all.insert(all.end(), more.begin(), more.end());
     notes.push_back("No joint is actuated in the chain of " + joint_names_of(all) +
                     " between base and platform; " +
                     (chain.restricts ? "it is part of what holds the platform in " + std::string(name(space))

@@ -17,10 +17,12 @@ namespace parallel_aspects {
 
 /// A chain without an actuated joint that couples no coordinates: slides along fixed directions, then joints
 /// that turn. It has a configuration for every pose that its directions allow, and only one but for turns of
-/// its slides against each other, so that the legs' distance equations stand beside it as they are.
+/// its slides against each other, so that the legs' distance equations stand beside it as they are. So they
+/// do beside one that couples coordinates and lets the platform move in all six ways, as a telescopic shaft.
 struct PassiveChain {
   Chain slides;            ///< any number, from the base on
   Chain rotations;         ///< up to three revolute joints, or one ball joint
+  Chain follower;          ///< else, joints of any kind that follow the platform wherever it goes
   bool restricts = false;  ///< whether the platform could move in more ways without it
 };
 
