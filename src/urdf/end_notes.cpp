@@ -35,8 +35,9 @@ std::optional<Note> list_text(const RecognisedEnds& ends, const ResolvedConfig& 
   const auto contents = ends.recognise(ends.subject.shared_tree, listed, ignored);
   if (!contents) return std::nullopt;
   return "write " +
-         closures_entry(ends.subject.tree, with_known_types(ends.subject.shared_tree, listed, ends.attempt)) +
-         " under mechanism in " + ends.subject.files.config + lengths_of(*contents);
+         closures_entry(ends.subject.tree, with_known_types(ends.subject.shared_tree, listed, ends.attempt),
+                        ends.subject.files) +
+         lengths_of(*contents);
 }
 
 // What holds ends apart as they are at zero, as a list.

@@ -15,7 +15,7 @@ namespace {
 
 // How far a pose on a limit is moved to be inside, at first and at last, in sizes of the robot and rad.
 constexpr double nearest_step = 1e-9, farthest_step = 1e-2, growth = 4.0;
-constexpr int tries_of_a_step = 200;
+constexpr int tries_of_a_step = 200;  // in random directions: a corner of six limits has one in 64
 constexpr unsigned home_seed = 3;
 
 class HomeSearch {

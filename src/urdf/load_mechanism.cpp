@@ -109,10 +109,11 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     if (search.looks_for_remedies) {
       const std::size_t before = contents->notes.size();
       const Subject subject(tree, resolved, files);
+      if (const auto wrong = length_of_another_link(subject, attempt))
+        throw ExplainedDescription({wrong->text()});
       note_ends({subject, ends_meet, recognise_in, attempt}, *contents);
       for (Note& note : notes_of_working(subject, unit_edits(subject, subject.loops, true), "if so", attempt))
         contents->notes.push_back(std::move(note));
-      if (auto note = borrowed_length_note(subject, attempt)) contents->notes.push_back(std::move(*note));
       if (contents->notes.size() == before)  // a frame that is turned turns an axis, too
         for (Note& note : other_axes_notes(subject, attempt)) contents->notes.push_back(std::move(note));
     }

@@ -4,9 +4,8 @@
 #include "model/message_text.h"
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
-#include "urdf/corrections/edit.h"
 #include "urdf/description/messages.h"
-#include "urdf/description/xml_values.h"
+#include "urdf/diagnosis/closure_gaps.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +17,8 @@ namespace {
 
 using Contents = std::unique_ptr<Mechanism::Contents>;
 
-// Of these all combinations of two types are tried, where so few joints move that an attempt is short.
+// Of these all combinations of two types are tried, thirty at most, where so few joints move that an attempt
+// takes some milliseconds.
 constexpr std::size_t max_mixed_closures = 5;
 constexpr std::ptrdiff_t max_joints_of_mixed = 24;
 
@@ -207,29 +207,22 @@ class OpenChoices {
     if (Contents contents = recognise(with_type(welds, ClosureType::fixed), problems)) {
       contents->notes.push_back("The rigid closures of " + files_.urdf +
                                 " are taken as fixed, as they are written" +
-                                (apart.empty() ? where + "." : note_of_gaps(welds, apart, size)));
+                                (apart.empty() ? Note(where + ".") : note_of_gaps(welds, apart, size)));
       return contents;
     }
     return find_turning(size, where, problems);
   }
 
   // Where the robot is one with these ends together, too, that may be meant.
-  std::string note_of_gaps(const std::vector<Closure>& welds, const std::string& apart, double size) const {
+  Note note_of_gaps(const std::vector<Closure>& welds, const std::string& apart, double size) const {
     const std::vector<Closure> meeting =
         with_type(with_ends_at_origins(welds, *tree_, size), ClosureType::fixed);
     Problems ignored;
-    std::vector<std::string> pairs;
-    for (const Closure& closure : meeting) {
-      const std::string one = written(closure.frames[0]), other = written(closure.frames[1]);
-      pairs.push_back(files_.as_options ? one + "=" + other
-                                        : "{frames: [" + one + ", " + other + "], type: fixed}");
-    }
     const bool may_meet = recognise(meeting, ignored) != nullptr;
     return ", which holds ends apart as they are drawn while all joints are zero: " + apart +
            "; if they are to meet, " +
-           (may_meet ? "write " + files_.entry("closures", pairs) +
-                           (files_.as_options ? "" : " under mechanism in " + files_.config)
-                     : "correct the origins of their joints") +
+           (may_meet ? "write " + closures_entry(*tree_, meeting, files_)
+                     : Note("correct the origins of their joints")) +
            ".";
   }
 
@@ -274,24 +267,10 @@ class OpenChoices {
 
   // With the first of the two origins, as the YAML has it.
   std::nullptr_t refuse_both(double size, Problems& problems) const {
-    std::vector<std::string> pairs;
-    for (const Closure& closure : turned_at(resolved_.closures, true)) {
-      const std::string one = written(closure.frames[0]), other = written(closure.frames[1]);
-      pairs.push_back(files_.as_options ? one + "=" + other : "{frames: [" + one + ", " + other + "]}");
-    }
     problems = {files_.urdf + " holds " + offsets(resolved_.closures, *tree_, size) +
-                ", and is a manipulator with a joint at either origin; say in " + files_.config +
-                " which is meant, as by " + (files_.as_options ? "" : "mechanism.") +
-                files_.entry("closures", pairs) + "."};
+                ", and is a manipulator with a joint at either origin; say which is meant, as by " +
+                closures_entry(*tree_, turned_at(resolved_.closures, true), files_).text() + "."};
     return nullptr;
-  }
-
-  std::string written(const LinkFrame& frame) const {
-    const std::string& link = tree_->links[frame.link];
-    if (frame.in_link.isApprox(Eigen::Isometry3d::Identity())) return link;
-    if (files_.as_options) return placed_name(link, frame.in_link.translation());
-    return "{link: " + link + ", xyz: " + as_list(frame.in_link.translation()) +
-           ", rpy: " + as_list(roll_pitch_yaw(frame.in_link.linear())) + "}";
   }
 
   const std::shared_ptr<const Tree>& tree_;

@@ -15,7 +15,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr unsigned trial_seed = 5;
-constexpr int trials = 60;
+constexpr int trials = 60;  // up to half the size of the robot away, so that many are in reach
 // Over the size; roundings grow away from the assembled configuration.
 constexpr double trial_tolerance = 1e-3;
 constexpr double exact_closure = 1e-11;  // over the size, and rad

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/five_bar_setup.h"
+#include "support/styles.h"
 #include <string>
 
 namespace parallel_aspects {
@@ -17,6 +18,17 @@ TEST(SdfCommands, DescribeTakesTheFileAlone) {
   const test::Outcome described = test::run({"describe", robot.c_str()});
   EXPECT_EQ(described.code, tools::exit_code::ok) << described.messages;
   EXPECT_NE(described.output.find("actuated"), std::string::npos) << "which joints are is a guess";
+}
+
+std::vector<std::string> six_of(const std::string& joint) {
+  std::vector<std::string> joints;
+  for (int leg = 1; leg <= 6; ++leg) joints.push_back(joint + "_" + std::to_string(leg));
+  return joints;
+}
+
+TEST(SdfCommands, SetupFindsRobotsInStylesThatArePublished) {
+  test::expect_found({"stewart_universal.sdf", TaskSpace::SE3, "base", "top", six_of("piston"), {0.641641}});
+  test::expect_found({"hexaglide.sdf", TaskSpace::SE3, "world", "nacelle", six_of("rail"), {0.75}});
 }
 
 }  // namespace

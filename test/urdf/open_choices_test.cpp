@@ -228,10 +228,11 @@ TEST(Weld, IsAskedForWhereTwoRobotsFit) {
   ASSERT_EQ(problems.size(), 1U);
   const std::string& message = problems.front();
   EXPECT_NE(message.find("and is a manipulator with a joint at either origin"), std::string::npos) << message;
-  const std::string start = "as by mechanism.";
-  const std::size_t at = message.find(start);
+  const std::string start = "say which is meant, as by ";
+  const std::size_t at = message.find(start), end = message.find(" under mechanism in robot.yaml.");
   ASSERT_NE(at, std::string::npos) << message;
-  const std::string closures = message.substr(at + start.size(), message.size() - at - start.size() - 1);
+  ASSERT_NE(end, std::string::npos) << message;
+  const std::string closures = message.substr(at + start.size(), end - at - start.size());
   const auto mechanism = test::load(text.urdf, replaced(text.config, "}", ", " + closures + "}"));
   EXPECT_EQ(mechanism->manipulator()->task_space(), TaskSpace::SE2);
   EXPECT_EQ(test::open_loops(*mechanism, 0.05), 0);

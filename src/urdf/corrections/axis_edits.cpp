@@ -16,9 +16,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double near_angle = 0.15;        // of an axis that was meant to be parallel [rad]
+constexpr double near_angle = 0.15;  // of an axis that was meant to be parallel, below a meant slant [rad]
 constexpr double max_misfits = 1.0 / 3.0;  // of the axes, where these are all meant to share something
-constexpr std::size_t max_alone = 4;       // that are put right without the others
+constexpr std::size_t max_alone = 4;       // that are put right without the others: more are meant so
 constexpr double decimal = 1e-6;           // to which values are printed, much finer than what is accepted
 
 constexpr const char* consequence = ", so that the loops hold too much";

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3d;
 using Pair = std::array<std::size_t, 2>;  // of closures
 
-constexpr std::size_t max_in_two_legs = 6;  // closures, of which the ends of two legs are exchanged at once
+constexpr std::size_t max_in_two_legs = 6;  // closures, of which the ends of two legs are exchanged: 15 pairs
 
 bool are_same(const LinkFrame& one, const LinkFrame& other) {
   return one.link == other.link && one.in_link.isApprox(other.in_link, rank_tolerance);

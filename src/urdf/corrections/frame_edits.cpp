@@ -10,8 +10,8 @@ namespace {
 
 using Links = std::vector<std::size_t>;
 
-constexpr std::size_t max_open = 12;           // links that a closure may lack
-constexpr std::size_t max_platform_links = 4;  // that are tried as the end of one closure
+constexpr std::size_t max_open = 12;           // links that a closure may lack: both ends of six legs
+constexpr std::size_t max_platform_links = 4;  // that are tried as the end of one closure, frames without use
 
 bool contains(const Links& links, std::size_t link) {
   return std::find(links.begin(), links.end(), link) != links.end();

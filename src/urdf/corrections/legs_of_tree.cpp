@@ -52,7 +52,8 @@ bool legs_share_anchors(const Tree& tree, const ResolvedConfig& resolved, double
 
 namespace {
 
-constexpr double usual_lengths = 5.0;  // in the size of a robot, at most
+constexpr double usual_lengths =
+    5.0;  // in the size of a robot, at most: base, crank, rod, platform and a tool
 
 std::vector<bool> above(const Tree& tree, std::size_t link) {
   std::vector<bool> found(tree.joints.size(), false);

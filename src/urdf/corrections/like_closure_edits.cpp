@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/linear_algebra.h"
+#include "urdf/corrections/closures_entry.h"
 #include "urdf/corrections/edits.h"
 #include "urdf/description/name_words.h"
 
@@ -15,8 +16,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double other_axis = 0.01;    // sine of the angle to the axis that is stated, at least
-constexpr double axis_decimal = 1e-6;  // to which axes are printed
+bool is_sdf(const ResolvedConfig& resolved) { return resolved.closure_dialect == "<gazebo><joint>"; }
+
+constexpr double other_axis = 0.01;        // sine of the angle to the axis that is stated, at least
+constexpr double axis_decimal = 1e-6;      // to which axes are printed
+constexpr double along_coordinate = 1e-4;  // what rounding of a file leaves of coordinates that are zero
 
 using Group = std::vector<std::size_t>;  // of closures
 
@@ -38,10 +42,10 @@ std::string names_of(const std::vector<Closure>& closures, const Group& group) {
   return names;
 }
 
-// Of the second frame of a closure in its link.
+// That the links of a closure turn about, in the frame of each.
 struct ClosureAxis {
   std::size_t closure = 0;
-  Vector3d direction;
+  std::array<Vector3d, 2> directions;
 };
 
 // Its largest coordinate is positive.
@@ -49,19 +53,23 @@ Vector3d upright(Vector3d axis) {
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
   if (axis[largest] < 0.0) axis = -axis;
+  if (axis.cross(Vector3d::Unit(largest)).norm() < along_coordinate) return Vector3d::Unit(largest);
   return (axis / axis_decimal).array().round().matrix() * axis_decimal;
 }
 
-// That the second link turns about against the first, in its own frame.
-std::optional<Vector3d> axis_of(const ClosureSystem& system, const Assembly& assembly,
-                                const std::array<LinkFrame, 2>& frames) {
+// Along one line, either way; nothing where they turn about none, or several.
+std::optional<std::array<Vector3d, 2>> axis_of(const ClosureSystem& system, const Assembly& assembly,
+                                               const std::array<LinkFrame, 2>& frames) {
   const Poses poses = link_poses(system.tree(), system.base(), assembly.values);
   const auto turning = [&](std::size_t link) {
     return link_twists(system, poses, link, assembly.motions).topRows<3>().eval();
   };
   const auto svd = singular_value_decomposition(turning(frames[1].link) - turning(frames[0].link));
   if (svd.rank_above(velocity_tolerance) != 1) return std::nullopt;
-  return upright(poses[frames[1].link].linear().transpose() * svd.u.col(0));
+  const auto seen_from = [&](std::size_t link) -> Vector3d {
+    return poses[link].linear().transpose() * svd.u.col(0);
+  };
+  return std::array<Vector3d, 2>{upright(seen_from(frames[0].link)), upright(seen_from(frames[1].link))};
 }
 
 // Of the revolute closures of a group: those that are not as stated; none where the links of one turn about
@@ -80,43 +88,54 @@ std::vector<ClosureAxis> other_axes(const Subject& s, const Group& group) {
     if (closure.type != ClosureType::revolute) continue;
     const auto axis = axis_of(balls, *assembly, closure.frames);
     if (!axis) return {};
-    if (axis->cross(closure.frames[1].in_link.linear().col(2)).norm() > other_axis)
-      others.push_back({k, *axis});
+    const auto is_other = [&](std::size_t end) {
+      return (*axis)[end].cross(closure.frames[end].in_link.linear().col(2)).norm() > other_axis;
+    };
+    if (is_other(0) || is_other(1)) others.push_back({k, *axis});
   }
   return others;
 }
 
-// Turned about that axis at zero, where SDF has the axis of a joint.
-std::array<LinkFrame, 2> turned(const Tree& tree, const ClosureAxis& axis, std::array<LinkFrame, 2> frames) {
-  const Poses poses = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
-  auto& [first, second] = frames;
-  second.in_link.linear() = shortest_rotation(Vector3d::UnitZ(), axis.direction).toRotationMatrix();
-  first.in_link.linear() =
-      poses[first.link].linear().transpose() * poses[second.link].linear() * second.in_link.linear();
+// With their z along it. SDF has the axis in the second link, and at zero in the first.
+std::array<LinkFrame, 2> turned(const Subject& s, const ClosureAxis& axis, std::array<LinkFrame, 2> frames) {
+  for (const std::size_t end : {0, 1})
+    frames[end].in_link.linear() =
+        shortest_rotation(Vector3d::UnitZ(), axis.directions[end]).toRotationMatrix();
+  if (!is_sdf(s.resolved)) return frames;
+  const Poses poses = link_poses(s.tree, 0, Eigen::VectorXd::Zero(s.tree.variables()));
+  frames[0].in_link.linear() = poses[frames[0].link].linear().transpose() * poses[frames[1].link].linear() *
+                               frames[1].in_link.linear();
   return frames;
 }
 
 }  // namespace
 
 Edits axes_of_like_closures(const Subject& subject) {
-  if (subject.resolved.closure_dialect != "<gazebo><joint>") return {};
   const std::vector<Closure>& closures = subject.resolved.closures;
   Edits found;
   for (const Group& group : groups_of(closures)) {
-    Edit edit{"closures", "", "write ", {}, true};
+    Edit edit{"closures", "", "", {}, true};
+    std::vector<Closure> changed = closures;
     Group others;
+    std::string axes;
     for (const ClosureAxis& axis : other_axes(subject, group)) {
-      const auto frames = turned(subject.tree, axis, closures[axis.closure].frames);
+      const auto frames = turned(subject, axis, closures[axis.closure].frames);
+      changed[axis.closure].frames = frames;
       for (const std::size_t end : {0, 1})
         edit.changes.emplace_back(FrameChange{axis.closure, end, frames[end]});
-      edit.remedy += (others.empty() ? "<axis><xyz expressed_in=\"" : ", <axis><xyz expressed_in=\"") +
-                     subject.tree.links[frames[1].link] + "\">" + as_attribute(axis.direction) +
-                     "</xyz></axis> for '" + closures[axis.closure].name + "'";
+      axes += (others.empty() ? "<axis><xyz expressed_in=\"" : ", <axis><xyz expressed_in=\"") +
+              subject.tree.links[frames[1].link] + "\">" + as_attribute(axis.directions[1]) +
+              "</xyz></axis> for '" + closures[axis.closure].name + "'";
       others.push_back(axis.closure);
     }
-    if (others.empty()) continue;
-    edit.fault = subject.files.urdf + " states axes for " + names_of(closures, others) +
-                 " about which their links do not turn";
+    // One alone may be the fault of a joint beside it.
+    const bool are_all = others.size() > 1 && others.size() == group.size();
+    if (others.empty() || !(is_sdf(subject.resolved) || are_all)) continue;
+    edit.remedy =
+        "write " +
+        (is_sdf(subject.resolved) ? axes : closures_entry(subject.tree, changed, subject.files).text());
+    edit.fault = (is_sdf(subject.resolved) ? subject.files.urdf : subject.file()) + " states axes for " +
+                 names_of(closures, others) + " about which their links do not turn";
     found.push_back(std::move(edit));
   }
   return found;

@@ -11,7 +11,7 @@ namespace {
 
 using Choice = std::vector<std::size_t>;  // of joint values
 
-constexpr std::size_t max_points = 16;  // links that are tried as operational point
+constexpr std::size_t max_points = 16;  // links that are tried as operational point: a hexapod has 13
 
 bool lists(const Choice& choice, std::size_t variable) {
   return std::find(choice.begin(), choice.end(), variable) != choice.end();

@@ -15,15 +15,16 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double shortest_that_is_meant = 1.0 / 150.0;  // of slides of a robot that loads, of its size
-constexpr double widest_robot = 100.0;                  // [m]; wider ones are taken for such in millimetres
+constexpr double shortest_that_is_meant =
+    1.0 / 150.0;                        // of slides of a robot that loads: piezo stages have 1/100
+constexpr double widest_robot = 100.0;  // [m]; wider ones are taken for such in millimetres
 
-constexpr double most_radians = 6.9;  // that an author writes for an angle
-constexpr double most_turns = 6.0 * EIGEN_PI;
-constexpr double same_angle = 1e-6;     // [rad]
-constexpr double rounded_angle = 2e-4;  // by four digits or more [rad]
+constexpr double most_radians = 6.9;           // that somebody writes for an angle: a turn and a tenth
+constexpr double most_turns = 6.0 * EIGEN_PI;  // of round angles that are computed, as 3 turns
+constexpr double same_angle = 1e-6;            // to which angles are written [rad]
+constexpr double rounded_angle = 2e-4;         // by four digits or more [rad]
 constexpr double radians_of_degree = EIGEN_PI / 180.0, five_degrees = 5.0 * radians_of_degree;
-constexpr int max_half_degrees = 2 * 360;
+constexpr int max_half_degrees = 2 * 360;  // a turn
 
 // The farther of two limits, or nothing where there are none.
 std::optional<double> farther_limit(const JointLimits& limits) {
@@ -65,8 +66,25 @@ Edits metres_for_lengths(const Subject& s) {
   return {edit};
 }
 
-// Whether it is meant in degrees: too large for radians, and no round angle in radians, as that of 420
-// degrees.
+// Of several joints that stand out, as those of one leg; of a single one among the edits of its origin.
+Edits metres_for_origins(const Subject& s) {
+  const double usual = s.loops.usual_length();
+  std::vector<Change> changes;
+  std::vector<std::string> names;
+  for (const std::size_t joint : s.loops.all()) {
+    const Eigen::Vector3d place = s.tree.joints[joint].origin.translation();
+    if (!(usual > 0.0 && place.norm() > out_of_scale * usual)) continue;
+    changes.emplace_back(OriginChange{joint, millimetre * place, std::nullopt});
+    names.push_back(s.tree.joints[joint].name);
+  }
+  if (changes.size() < 2) return {};
+  return {edit_of(s,
+                  s.files.urdf + " has origins of joints far beyond the others, " + listed_names(names) +
+                      ", as if in millimetres",
+                  std::move(changes), true)};
+}
+
+// Whether that is no angle that somebody computed in radians, as 420 degrees are.
 bool is_in_degrees(double angle) {
   const bool is_round = std::abs(std::remainder(angle, five_degrees)) < rounded_angle;
   return std::abs(angle) > most_radians && !(is_round && std::abs(angle) < most_turns);
@@ -181,6 +199,7 @@ Edits unit_edits(const Subject& subject, const LoopJoints& joints, bool loads) {
   Edits found = metres_for_limits(subject, joints, true, shortest);
   const auto append = [&](Edits more) { std::move(more.begin(), more.end(), std::back_inserter(found)); };
   append(is_wide ? metres_for_lengths(subject) : metres_for_limits(subject, joints, false, shortest));
+  if (!loads) append(metres_for_origins(subject));
   append(radians_for_joints(subject, joints, true));
   append(radians_for_joints(subject, joints, false));
   append(radians_for_closures(subject));

@@ -51,9 +51,12 @@ std::string coordinate_text(double value) {
   return number_text(std::abs(value) < noise ? 0.0 : value, digits);
 }
 
-std::string placed_name(const std::string& link, const Eigen::Vector3d& xyz) {
-  return link + "@" + coordinate_text(xyz.x()) + ":" + coordinate_text(xyz.y()) + ":" +
-         coordinate_text(xyz.z());
+std::string placed_name(const std::string& link, const Eigen::Vector3d& xyz, const Eigen::Vector3d& rpy) {
+  std::string text = link;
+  for (const Eigen::Index k : {0, 1, 2}) text += (k == 0 ? "@" : ":") + coordinate_text(xyz[k]);
+  for (const Eigen::Index k : {0, 1, 2})
+    if (!rpy.isZero(0.0)) text += ":" + coordinate_text(rpy[k]);
+  return text;
 }
 
 std::string SourceNames::key(const std::string& key) const { return as_options ? option_name(key) : key; }

@@ -23,7 +23,8 @@ std::string option_for(const std::string& key, const std::vector<std::string>& v
 std::string coordinate_text(double value);
 
 /// A place in the frame of a link [m], as "rod_2@0.4:0:0".
-std::string placed_name(const std::string& link, const Eigen::Vector3d& xyz);
+std::string placed_name(const std::string& link, const Eigen::Vector3d& xyz,
+                        const Eigen::Vector3d& rpy = Eigen::Vector3d::Zero());
 
 /// Names of files or parameters, for messages, and how these call what the YAML says.
 struct SourceNames {

@@ -30,7 +30,7 @@ bool passes_base(const Tree& tree, std::size_t base, const Closure& closure) {
 
 namespace {
 
-constexpr double small_gap = 1e-4;  // of the size of the robot
+constexpr double small_gap = 1e-4;  // of the size of the robot: what CAD rounds to four digits
 
 // The last of several joints in one place makes a ball joint.
 bool is_last_of_ball(const Tree& tree, const TreeJoint& joint) {
@@ -76,21 +76,6 @@ std::vector<double> end_gaps(const Tree& tree, const std::vector<Closure>& closu
 
 double widest(const std::vector<double>& gaps) {
   return gaps.empty() ? 0.0 : *std::max_element(gaps.begin(), gaps.end());
-}
-
-// What of a frame its closure sees.
-LinkFrame as_seen(LinkFrame frame, ClosureType type) {
-  const bool any_axis = type == ClosureType::universal || type == ClosureType::fixed;
-  const bool is_upright = (frame.in_link.linear().col(2) - Eigen::Vector3d::UnitZ()).norm() < 1e-9;
-  if (type == ClosureType::point || (!any_axis && is_upright)) frame.in_link.linear().setIdentity();
-  return frame;
-}
-
-std::string as_yaml(const Tree& tree, const LinkFrame& frame) {
-  const std::string& link = tree.links[frame.link];
-  if (frame.in_link.isApprox(Eigen::Isometry3d::Identity())) return link;
-  return "{link: " + link + ", xyz: " + as_list(frame.in_link.translation()) +
-         ", rpy: " + as_list(roll_pitch_yaw(frame.in_link.linear())) + "}";
 }
 
 }  // namespace
@@ -207,34 +192,12 @@ std::vector<std::size_t> held_beside_ends(const Tree& tree, const ResolvedConfig
   return beside;
 }
 
-Note closures_entry(const Tree& tree, const std::vector<Closure>& closures) {
-  std::vector<std::string> list;
-  for (const Closure& closure : closures)
-    list.push_back("{frames: [" + as_yaml(tree, as_seen(closure.frames[0], closure.type)) + ", " +
-                   as_yaml(tree, as_seen(closure.frames[1], closure.type)) +
-                   "], type: " + std::string(name(closure.type)) + "}");
-  return {Note::Piece::Kind::closures, list};
-}
-
-// Options name links alone.
-std::optional<std::string> list_of_ends(const std::shared_ptr<const Tree>& tree,
-                                        const ResolvedConfig& resolved, const SourceNames& files,
-                                        const Attempt& attempt) {
+std::optional<Note> list_of_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                                 const SourceNames& files, const Attempt& attempt) {
   ResolvedConfig listed = as_listed(*tree, resolved);
-  std::vector<std::string> pairs;
-  for (Closure& closure : listed.closures) {
-    if (!files.as_options) continue;
-    for (LinkFrame& frame : closure.frames) {
-      if (!frame.in_link.translation().isZero()) return std::nullopt;
-      frame.in_link.setIdentity();
-    }
-    closure.type = ClosureType::automatic;
-    pairs.push_back(tree->links[closure.frames[0].link] + "=" + tree->links[closure.frames[1].link]);
-  }
-  if (!attempt(tree, listed)) return std::nullopt;
-  return files.as_options
-             ? files.entry("closures", pairs)
-             : closures_entry(*tree, listed.closures).text() + " under mechanism in " + files.config;
+  for (Closure& closure : listed.closures)
+    if (files.as_options) closure.type = ClosureType::automatic;
+  return attempt(tree, listed) ? std::optional(closures_entry(*tree, listed.closures, files)) : std::nullopt;
 }
 
 std::string gap_text(const Tree& tree, const Closure& closure, double gap) {

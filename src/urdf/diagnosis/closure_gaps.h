@@ -6,6 +6,7 @@
 #define PARALLEL_ASPECTS_URDF_DIAGNOSIS_CLOSURE_GAPS_H
 
 #include "urdf/closing/resolved_config.h"
+#include "urdf/corrections/closures_entry.h"
 #include "urdf/corrections/edit.h"
 #include "urdf/description/closure.h"
 #include "urdf/description/messages.h"
@@ -71,13 +72,9 @@ class EndGaps {
   bool are_to_meet_ = false;
 };
 
-/// "closures: [{frames: [a, b], type: point}]", as the YAML has them.
-Note closures_entry(const Tree& tree, const std::vector<Closure>& closures);
-
 /// The list that holds ends together, and where to write it; nothing where that makes no robot.
-std::optional<std::string> list_of_ends(const std::shared_ptr<const Tree>& tree,
-                                        const ResolvedConfig& resolved, const SourceNames& files,
-                                        const Attempt& attempt);
+std::optional<Note> list_of_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                                 const SourceNames& files, const Attempt& attempt);
 
 /// "'a' and 'b' by 0.05 m (closure 'c')", and that of all ends that are apart.
 std::string gap_text(const Tree& tree, const Closure& closure, double gap);

@@ -111,6 +111,8 @@ class Search {
     if (const auto linkage =
             linkage_of_one_degree_of_freedom(s_.shared_tree, s_.resolved, assembled(), s_.files))
       return Diagnosis{{*linkage}};
+    if (const auto held = closures_that_hold_too_much(s_.shared_tree, s_.resolved, assembled(), s_.files))
+      return Diagnosis{{*held}};
     return std::nullopt;
   }
 
@@ -307,7 +309,7 @@ std::optional<Diagnosis> diagnosis_of_gaps(const std::shared_ptr<const Tree>& tr
                     ", and holds them so; correct the origins of the joints in their loops, or, if these are "
                     "right and the "
                     "ends are to meet elsewhere, write " +
-                    *remedy + "."}};
+                    remedy->text() + "."}};
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int starts = 8;  // from which loops are to close: few, as most of what is tried does not
 constexpr std::size_t max_closed = 3;  // configurations whose mobility is looked at: one may be singular
-constexpr std::size_t max_named = 8;   // edits that a message lists
+constexpr std::size_t max_named = 8;   // edits that a message lists: a longer list is not read
 // What bounds a refusal: sorting an edit out takes up to a millisecond, recognising a hexapod some thirty.
 constexpr std::size_t max_tried = 3000, max_attempts = 36;
 

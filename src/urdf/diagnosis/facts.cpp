@@ -9,13 +9,16 @@
 #include "urdf/corrections/edit.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace parallel_aspects {
 namespace {
 
-// So many actuated joints are meant to move more than one degree of freedom.
+constexpr double printed_axis = 1e-4;  // digits of directions in messages
+
+// So many actuated joints are not meant to move one degree of freedom, whatever closures leave.
 constexpr std::size_t drives_of_more = 3;
 
 constexpr const char* treated = "only a platform on a slide, which one leg moves (T1), is treated.";
@@ -134,6 +137,61 @@ std::optional<std::string> linkage_of_one_degree_of_freedom(const std::shared_pt
   return OneFreedom(tree, resolved, assembled, files).find();
 }
 
+namespace {
+
+// About which the links of a closure turn against each other, in the frame of the second one.
+std::vector<Eigen::Vector3d> axes_between(const ClosureSystem& system, const Assembly& assembly,
+                                          const std::array<LinkFrame, 2>& frames) {
+  const Poses poses = link_poses(system.tree(), system.base(), assembly.values);
+  const auto turning = [&](std::size_t link) {
+    return link_twists(system, poses, link, assembly.motions).topRows<3>().eval();
+  };
+  const auto svd = singular_value_decomposition(turning(frames[1].link) - turning(frames[0].link));
+  std::vector<Eigen::Vector3d> axes;
+  for (Eigen::Index k = 0; k < svd.rank_above(velocity_tolerance); ++k) {
+    const Eigen::Vector3d axis = poses[frames[1].link].linear().transpose() * svd.u.col(k);
+    axes.emplace_back((axis / printed_axis).array().round().matrix() * printed_axis);
+  }
+  return axes;
+}
+
+// "'a' about (0, 0, 1) of 'rod_2', of 'b' about ..."
+std::string turning_text(const ClosureSystem& balls, const Assembly& free,
+                         const std::vector<Closure>& closures) {
+  std::string text;
+  for (const Closure& closure : closures) {
+    if (closure.type == ClosureType::point || closure.type == ClosureType::automatic) continue;
+    std::string axes;
+    for (const Eigen::Vector3d& axis : axes_between(balls, free, closure.frames))
+      axes += (axes.empty() ? "" : " and ") + in_brackets(axis);
+    if (!axes.empty())
+      text += (text.empty() ? "'" : ", of '") + closure.name + "' about " + axes + " of '" +
+              balls.tree().links[closure.frames[1].link] + "'";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<std::string> closures_that_hold_too_much(const std::shared_ptr<const Tree>& tree,
+                                                       const ResolvedConfig& resolved,
+                                                       const AssemblyResult& assembled,
+                                                       const SourceNames& files) {
+  const std::vector<std::size_t>& joints = resolved.actuated_joints.variables;
+  const auto count = static_cast<Eigen::Index>(joints.size());
+  const Eigen::Index left = assembled.assembly ? assembled.assembly->motions.cols() : 0;
+  if (left >= count || !resolved.actuation_origin.empty()) return std::nullopt;
+  const ClosureSystem balls(tree, resolved.base, with_type(resolved.closures, ClosureType::point));
+  const auto free = assemble(balls, joints, resolved.actuated_joints.platform_link).assembly;
+  if (!free || free->motions.cols() < count) return std::nullopt;
+  const std::string turning = turning_text(balls, *free, resolved.closures);
+  if (turning.empty()) return std::nullopt;
+  return file_of_closures(resolved, files) + " closes loops of " + files.urdf + " so that they leave " +
+         std::to_string(left) + " degrees of freedom to " + std::to_string(count) +
+         " actuated joints, and with balls in the place of all " + std::to_string(free->motions.cols()) +
+         "; then the links of closure " + turning + " turn, which its type and axis are to allow.";
+}
+
 std::optional<std::string> chain_that_holds_too_much(const ClosureSystem& system,
                                                      const Eigen::VectorXd& values,
                                                      const ActuatedJoints& actuated_joints,
@@ -152,6 +210,8 @@ std::optional<std::string> chain_that_holds_too_much(const ClosureSystem& system
 
 namespace {
 
+// det A is analytic in the pose: where it is zero in one random pose, it is zero in all. Several poses rule
+// out that rounding says so, and not every start closes.
 constexpr int starts_of_poses = 24;
 constexpr std::size_t most_poses = 12, least_poses = 6;
 

@@ -21,6 +21,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+// By wide margins: directions of legs are alike to the rounding of angles, or differ by ten degrees and more.
 constexpr double alike = 1e-3;        // of directions
 constexpr double not_in_line = 0.1;   // sine of the angle at the middle, at least, for a plane of the joints
 constexpr double one_sided = 0.01;    // of a range of values
@@ -168,7 +169,7 @@ const TreeJoint* lender_of(const Tree& tree, const LinkFrame& end, const LinkFra
 
 }  // namespace
 
-std::optional<Note> borrowed_length_note(const Subject& subject, const Attempt& attempt) {
+std::optional<Note> length_of_another_link(const Subject& subject, const Attempt& attempt) {
   const Tree& tree = subject.tree;
   const TreeJoint* lender = nullptr;
   ResolvedConfig changed = subject.resolved;
@@ -180,11 +181,11 @@ std::optional<Note> borrowed_length_note(const Subject& subject, const Attempt& 
       }
   if (lender == nullptr || !attempt(subject.shared_tree, changed)) return std::nullopt;
   const std::string carrier = "'" + tree.links[lender->parent] + "'";
-  return "These legs are not alike, which is perhaps not your robot: closures end some where link '" +
-         tree.links[lender->child] + "' is on " + carrier + ", by the length of joint '" + lender->name +
-         "', while the leg of " + carrier + " ends at its origin; if all end so, write " +
-         closures_entry(tree, with_known_types(subject.shared_tree, changed, attempt)) +
-         " under mechanism in " + subject.files.config + ".";
+  return subject.file() + " ends legs by the length of another link: closures hold rods where joint '" +
+         lender->name + "' has link '" + tree.links[lender->child] + "' on " + carrier +
+         ", while the leg of " + carrier + " ends at its origin; end all legs so and write " +
+         closures_entry(tree, with_known_types(subject.shared_tree, changed, attempt), subject.files) +
+         ", or, if the legs differ, add a link at the end of each rod to " + subject.files.urdf + ".";
 }
 
 namespace {

@@ -12,24 +12,25 @@
 
 namespace parallel_aspects {
 
-/// Of a robot that loads: names the one actuated joint on the base that moves the other way round than those
-/// of the other legs, seen from the middle of all, though it has the same limits, which differ to both sides.
+/// Of a robot that loads: the actuated joint on the base that alone moves the other way round than those of
+/// the other legs, seen from the middle of all, though it has the same limits and these are not the same to
+/// both sides.
 std::vector<std::string> reversed_axes_notes(const Tree& tree, const ResolvedConfig& resolved,
                                              const SourceNames& files);
 
-/// Of a robot that loads: names the one actuated joint on the base that moves along or about another
-/// direction than those of the other legs, which are alike, seen from the middle of all. Only where the robot
-/// with the direction of the others loads, too.
+/// Of a robot that loads: the actuated joint on the base that alone moves along or about another direction
+/// than those of the other legs, which are alike, seen from the middle of all; where its robot with theirs
+/// loads, too.
 Notes other_axes_notes(const Subject& subject, const Attempt& attempt);
 
-/// Of a robot that loads: ends of closures are at a place where a like link has its other end, so that they
-/// have the length of that link, as where the plate is fixed to the first of six pins. The note has the
-/// closures at the origins of their links; nothing where these make no robot.
-std::optional<Note> borrowed_length_note(const Subject& subject, const Attempt& attempt);
+/// Of a robot that would load: that ends of closures are at a place which a like link has the other end at, a
+/// length of that one, as where the plate is fixed to the first of six pins. A robot that nobody means, so
+/// that it is refused, with the closures at the origins of their links; nothing where these make no robot.
+std::optional<Note> length_of_another_link(const Subject& subject, const Attempt& attempt);
 
-/// What looks like a slip, though it may be meant: several closures hold one link, while another link of its
-/// body with such a name is in none; or a closure holds a link at its own joint, where another leg is, while
-/// a frame of its body is in none. `size`: of the robot [m].
+/// What looks like a slip, though it may be meant: a link that several closures hold, while one of its body
+/// with such a name is in none; or one that a closure holds at its own joint, where another leg is, while a
+/// frame of its body is in none. `size`: of the robot [m].
 std::vector<std::string> shared_frame_notes(const Tree& tree, const ResolvedConfig& resolved, double size);
 
 }  // namespace parallel_aspects

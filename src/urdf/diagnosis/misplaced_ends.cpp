@@ -17,7 +17,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double clearly_wider = 1.5;  // than the gaps of other closures
+constexpr double clearly_wider = 1.5;  // than the gaps of other closures, which legs of one drawing share
 
 // Closures whose ends are where one another's should be, by their places at zero.
 class CrossedPlaces {
@@ -79,8 +79,7 @@ std::optional<Note> note(const Subject& s, const Edit& exchange, const std::stri
   const ResolvedConfig listed = as_listed(s.tree, edited(s, exchange).resolved);
   if (!attempt(s.shared_tree, listed)) return std::nullopt;
   return "It seems that " + exchange.fault + ", " + reason + "; if so, " + exchange.remedy + ", or write " +
-         closures_entry(s.tree, with_known_types(s.shared_tree, listed, attempt)) + " under mechanism in " +
-         s.files.config + ".";
+         closures_entry(s.tree, with_known_types(s.shared_tree, listed, attempt), s.files) + ".";
 }
 
 }  // namespace
@@ -98,8 +97,8 @@ Notes crossed_ends_notes(const Subject& subject, const Attempt& attempt) {
 
 namespace {
 
-constexpr std::size_t max_remedies = 3;
-constexpr double decimal = 1e-8;  // to which a place is printed [m]
+constexpr std::size_t max_remedies = 3;  // that one note names
+constexpr double decimal = 1e-8;         // to which a place is said [m]
 
 // By their indices.
 std::vector<std::size_t> those_apart(const Tree& tree, const ResolvedConfig& resolved) {

@@ -26,7 +26,7 @@ struct JointEvidence {
 
 JointEvidence find_joint_evidence(const LoopSource& source);
 
-/// One joint of each leg, and how strong the evidence for these is.
+/// One joint of each leg, and the weight of the evidence for these.
 struct ActuationCandidate {
   std::vector<std::size_t> variables;
   int weight = 0;
@@ -35,8 +35,8 @@ struct ActuationCandidate {
 };
 
 /// Combinations of one joint of each leg that have the same place or name in all legs, or that alone have
-/// evidence of an actuated joint; those with the strongest evidence first. Where a combination is stated,
-/// there are no others. Joints that mimic others are left out, unless `with_followers`.
+/// evidence of an actuated joint; those with most evidence first. Where a combination is stated, there
+/// are no others. Joints that mimic others are left out, unless `with_followers`.
 std::vector<ActuationCandidate> actuation_candidates(const Tree& tree, const std::vector<GraphPart>& legs,
                                                      const JointEvidence& evidence,
                                                      bool with_followers = false);
@@ -66,11 +66,11 @@ struct TakenActuation {
 /// were taken in their place; nothing where all that are stated were taken.
 std::optional<std::string> note_on_stated(const TakenActuation& taken, const std::string& urdf_name);
 
-/// The joints with stronger evidence than those that were taken, but that a <mimic> rules out; nothing where
-/// there are none.
+/// Joints with more evidence than those that were taken, but that a <mimic> rules out; nothing
+/// where there are none.
 std::optional<ActuationCandidate> ruled_out_by_mimic(const TakenActuation& taken);
 
-/// The sentence about these.
+/// The sentence on these.
 std::string note_on_mimic(const Tree& tree, const ActuationCandidate& ruled_out,
                           const std::string& urdf_name);
 

@@ -11,21 +11,27 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
 
-// How many candidates are tried besides what is taken, to say that they would do as well.
+// How many candidates are tried besides what is taken, to say that they would do as well: each costs an
+// attempt, and a longer list is not read.
 constexpr std::size_t max_others = 4;
+constexpr std::size_t max_robots = 6;  // that a question lists: the legs of a walking machine
 
-// Closures that are seldom, as welds, and mixtures of types are tried for so many candidates.
+// Closures that are seldom, as welds, and mixtures of types, of which there are thirty, are tried for so many
+// candidates: those with the most evidence, of actuated joints at the base and of others.
 constexpr std::size_t max_with_all_types = 2;
 
-// For so many platforms, and numbers of legs, a refusal looks for what would correct it.
+// For so many platforms, and numbers of legs, a refusal looks for what would correct it, since each may take
+// all attempts of an edit search.
 constexpr std::size_t max_diagnosed = 4;
 
-// Loops are closed from so many configurations until enough are found to tell their freedom.
+// Loops are closed from so many configurations until enough are found to know their freedom: the most of a
+// few, as single ones may be singular, and not every start closes.
 constexpr int max_starts = 16;
 constexpr std::size_t enough = 4;
 
@@ -110,7 +116,10 @@ class ClosedSearch {
     if (lacks_leg_ && !all.empty() && load_once(all.front(), stated)) return result_;
     for (const Platform& platform : all)
       for (const std::vector<GraphPart>& legs : platform.legs)
-        if (try_legs(platform, legs)) return result_;
+        if (try_legs(platform, legs)) {
+          ask_for_robot(all);
+          return result_;
+        }
     if (result_.problems.empty()) result_.problems.push_back(reason_for_none());
     return result_;
   }
@@ -257,7 +266,7 @@ class ClosedSearch {
     std::vector<SetupCandidate> others;
     for (const std::size_t link : platform.links) {
       const std::string& name = link_name(link);
-      if (name == taken || others.size() == max_others || is_late()) continue;
+      if (name == taken || placed_frame(name) || others.size() == max_others || is_late()) continue;
       if (is_guess ? is_closed(result_.closures.all, link) : operational_point_likeness(name) == 0) continue;
       SetupDraft draft = result_.draft;
       draft.operational_point.values = {name};
@@ -274,10 +283,50 @@ class ClosedSearch {
     return load();
   }
 
+  // Where there are several robots, as the legs of a walking machine, each with joints of its own that are
+  // stated to be actuated.
+  void ask_for_robot(const std::vector<Platform>& all) {
+    const SetupAnswers& answers = subject_.answers;
+    if (result_.question || !answers.operational_point.empty() || !answers.actuated_joints.empty()) return;
+    std::set<std::string> known(result_.draft.actuated_joints.values.begin(),
+                                result_.draft.actuated_joints.values.end());
+    std::vector<SetupCandidate> robots{robot_of(result_.draft)};
+    for (const Platform& platform : all)
+      for (const std::vector<GraphPart>& legs : platform.legs) {
+        const auto candidates = actuations(legs);
+        if (candidates.empty() || !is_stated(candidates.front(), subject_.evidence)) continue;
+        SetupDraft draft = result_.draft;
+        draft.actuated_joints = described(candidates.front());
+        const std::vector<std::string>& joints = draft.actuated_joints.values;
+        const auto is_known = [&](const std::string& joint) { return known.count(joint) > 0; };
+        if (std::any_of(joints.begin(), joints.end(), is_known) || robots.size() > max_robots) continue;
+        for (const std::size_t link : platform.links) {
+          draft.operational_point.values = {link_name(link)};
+          if (is_late() || !loads(draft)) continue;
+          known.insert(joints.begin(), joints.end());
+          robots.push_back(robot_of(draft));
+          break;
+        }
+      }
+    if (robots.size() > 1)
+      result_.question = {"operational_point",
+                          subject_.urdf_name + " has " + std::to_string(robots.size()) +
+                              " robots, each with actuated joints of its own; say which is meant",
+                          robots,
+                          {}};
+  }
+
+  static SetupCandidate robot_of(const SetupDraft& draft) {
+    std::string joints;
+    for (const std::string& joint : draft.actuated_joints.values)
+      joints += (joints.empty() ? "'" : ", '") + joint + "'";
+    return {draft.operational_point.values, "actuated by " + joints};
+  }
+
   void ask_for_actuated_joints(const std::vector<SetupCandidate>& equals) {
     result_.question = {"actuated_joints",
                         subject_.urdf_name +
-                            " does not tell which joints are actuated: equally much speaks for " +
+                            " does not say which joints are actuated: the evidence is equal for " +
                             std::to_string(equals.size()) + " combinations",
                         equals,
                         {}};
@@ -302,7 +351,7 @@ class ClosedSearch {
     const bool named = operational_point_likeness(link_name(link)) > 0;
     if (platform.links.size() == 1) return "it is the body that the legs share";
     return named ? "its name says so, among the links of the body that the legs share"
-                 : "a guess, since no name tells among the links of the body that the legs share";
+                 : "a guess among the links of the body that the legs share, as no name says it";
   }
 
   // The first type under which the mechanism loads, revolute where a ball joint would only hold less.

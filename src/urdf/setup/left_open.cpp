@@ -26,13 +26,6 @@ bool any_says_base(const Tree& tree, const std::vector<std::size_t>& links) {
                      [&](std::size_t link) { return says_base(tree.links[link]); });
 }
 
-int movable_joints_below(const Tree& tree, std::size_t link) {
-  int count = 0;
-  for (auto joint = tree.joint_above[link]; joint; joint = tree.joint_above[tree.joints[*joint].parent])
-    count += tree.joints[*joint].variable ? 1 : 0;
-  return count;
-}
-
 // Else it is on slides alone, as a platform that is hung on them.
 bool turns_below(const Tree& tree, std::size_t link) {
   for (auto joint = tree.joint_above[link]; joint; joint = tree.joint_above[tree.joints[*joint].parent])
@@ -73,6 +66,13 @@ std::vector<TreeJoint> joints_of_ends(const Tree& tree, const Bodies& bodies,
 }
 
 }  // namespace
+
+int movable_joints_below(const Tree& tree, std::size_t link) {
+  int count = 0;
+  for (auto joint = tree.joint_above[link]; joint; joint = tree.joint_above[tree.joints[*joint].parent])
+    count += tree.joints[*joint].variable ? 1 : 0;
+  return count;
+}
 
 std::vector<bool> fittings(const Tree& tree) {
   std::vector<bool> marks(tree.links.size()), holds(tree.links.size(), false);
@@ -131,7 +131,7 @@ SetupQuestion question_of_leg(const SetupResult& found,
   SetupCandidate without = *taken_for("closures", found);
   without.reason += ", and the chain is left out";
   return {"closures",
-          urdf_name + " does not tell whether the chain between the root and link '" + base +
+          urdf_name + " does not say whether the chain between the root and link '" + base +
               "' is a leg, whose loops end on the root",
           {with_leg, without},
           {}};

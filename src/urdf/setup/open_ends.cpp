@@ -15,12 +15,37 @@
 namespace parallel_aspects {
 namespace {
 
-// Of the size of the robot: what CAD rounds, and what is near.
+// Of the size of the robot: what CAD rounds to four digits, and what is near: less than a link is long.
 constexpr double coincident = 1e-4;
 constexpr double near = 0.02;
+constexpr double on_joint = 1e-6;  // to which lengths are written [m]
 
-constexpr std::size_t max_hubs = 4;
-constexpr std::size_t max_orders = 24;  // of ends that nothing tells apart
+// Movable joints from the root to a link.
+std::vector<std::size_t> joints_to(const Tree& tree, std::size_t link) {
+  std::vector<std::size_t> joints;
+  for (auto above = tree.joint_above[link]; above; above = tree.joint_above[tree.joints[*above].parent])
+    if (tree.joints[*above].variable) joints.push_back(*above);
+  std::reverse(joints.begin(), joints.end());
+  return joints;
+}
+
+// Whether a longer chain, like the one to this end, goes on beside the origin of the link that is like it, as
+// a strut does from its piston to the ball at the far end.
+bool goes_on_beside(const Tree& tree, std::size_t longer, std::size_t end) {
+  const std::vector<std::size_t> carrier = joints_to(tree, longer), chain = joints_to(tree, end);
+  if (chain.size() >= carrier.size()) return false;
+  for (std::size_t k = 0; k < chain.size(); ++k)
+    if (tree.joints[carrier[k]].motion != tree.joints[chain[k]].motion) return false;
+  const TreeJoint& next = tree.joints[carrier[chain.size()]];
+  Eigen::Isometry3d place = next.origin;
+  for (auto above = tree.joint_above[next.parent]; above && !tree.joints[*above].variable;
+       above = tree.joint_above[tree.joints[*above].parent])
+    place = tree.joints[*above].origin * place;
+  return place.translation().norm() > on_joint;
+}
+
+constexpr std::size_t max_hubs = 4;     // base, platform, and a tool or a gripper with frames of its own
+constexpr std::size_t max_orders = 24;  // of ends without evidence: those of four chains
 
 class EndFinder {
  public:
@@ -148,13 +173,20 @@ class EndFinder {
       for (const std::size_t link : bodies_.links(body))
         if (!has_child[link] && (link != own || !carries[body]) && !left_open_[link])
           found.ends.push_back(link);
-      if (found.last && found.ends == std::vector<std::size_t>{own} &&
-          tree_.joints[*tree_.joint_above[own]].motion == JointMotion::revolute)
+      if (found.last && found.ends == std::vector<std::size_t>{own} && has_no_tip_frame(own))
         result_.without_tip_frame.push_back(own);
       result_.links.insert(result_.links.end(), found.ends.begin(), found.ends.end());
       if (found.last && !found.ends.empty()) terminal_.push_back(found);
       if (!found.ends.empty()) ended_.push_back(found);
     }
+  }
+
+  // A slide may end at the joint that it has.
+  bool has_no_tip_frame(std::size_t own) const {
+    if (tree_.joints[*tree_.joint_above[own]].motion == JointMotion::revolute) return true;
+    for (std::size_t link = 0; link < tree_.links.size(); ++link)
+      if (goes_on_beside(tree_, link, own)) return true;
+    return false;
   }
 
   // The bodies that may have the anchors, which the other chains reach: those with most ends, but the root
@@ -350,7 +382,7 @@ class EndFinder {
     }
     const std::size_t leg = chosen.size();
     if (leg == tips_.size()) {
-      Pairing pairing{{}, "an order of the open ends, for which nothing else speaks"};
+      Pairing pairing{{}, "an order of the open ends, without other evidence"};
       for (std::size_t k = 0; k < leg; ++k) pairing.pairs.push_back({chosen[k], tips_[k].front(), ""});
       orders.push_back(pairing);
       return;
@@ -399,7 +431,7 @@ OpenEnds find_open_ends(const Tree& tree, const Bodies& bodies) {
   add(without_fingers.forced());
   add(without_named.forced());
   for (const auto& all : {without_finger.evident(), without_finger.forced()}) add(all);
-  add(without_named.others());
+  if (!found.evident) add(without_named.others());
   found.cut_short = without_named.cut_short();
   found.may_have_finger = single != alike;
   return found;

@@ -12,7 +12,7 @@
 
 namespace parallel_aspects {
 
-/// Two links whose origins a closure may hold together, and the evidence for it.
+/// Two links whose origins a closure may hold together, and the reason for it.
 struct EndPair {
   std::size_t one = 0, other = 0;  ///< links
   std::string reason;
@@ -24,7 +24,7 @@ struct Pairing {
   std::string reason;  ///< for all of them
 };
 
-/// Pairings with equally strong evidence.
+/// Pairings with equal evidence.
 using EqualPairings = std::vector<Pairing>;
 
 /// Where the chains of a tree end, and which of these ends may be joints that the URDF, a tree, leaves out.
@@ -32,8 +32,8 @@ struct OpenEnds {
   std::vector<std::size_t> links;              ///< every end that may be one of a loop
   std::vector<std::size_t> without_tip_frame;  ///< links that end a chain without a frame at their end
   std::optional<std::size_t> platform;  ///< link that most looks like one, where there are several ends
-  std::vector<EqualPairings> pairings;  ///< those with the strongest evidence first
-  bool evident = false;                 ///< whether positions or names show any
+  std::vector<EqualPairings> pairings;  ///< those with most evidence first
+  bool evident = false;                 ///< whether positions or names give any
   bool cut_short = false;               ///< whether some are left out, since there are too many
   bool may_have_finger = false;         ///< whether some leave out the one body that ends on a slide
 };

@@ -4,6 +4,7 @@
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/chain.h"
 #include "urdf/description/name_words.h"
+#include "urdf/setup/setup_config.h"
 
 #include <algorithm>
 #include <memory>
@@ -73,12 +74,23 @@ std::vector<GraphPart> parts_between(const ClosureSystem& loops, const Bodies& b
 // Legs of a fully parallel robot, and one passive chain besides.
 constexpr std::size_t min_parts = 2, max_parts = 7;
 
-// Two legs meet where a closure is, as a rule.
+// As those that a reader puts between the axes of a joint.
+bool is_named_frame(const std::string& name) {
+  const std::vector<std::string> words = words_of(name);
+  return std::find(words.begin(), words.end(), "frame") != words.end();
+}
+
+// Two legs meet where a closure is, as a rule; a place without a link is of use there alone.
 std::vector<std::size_t> links_of(const Tree& tree, std::vector<std::size_t> links,
                                   const std::vector<Closure>& closures, std::size_t legs) {
   const auto key = [&](std::size_t link) {
-    return std::pair{operational_point_likeness(tree.links[link]), legs == 2 && is_closed(closures, link)};
+    const std::string& name = tree.links[link];
+    return std::tuple{operational_point_likeness(name), legs == 2 && is_closed(closures, link),
+                      !is_named_frame(name)};
   };
+  links.erase(std::remove_if(links.begin(), links.end(),
+                             [&](std::size_t link) { return legs != 2 && placed_frame(tree.links[link]); }),
+              links.end());
   std::stable_sort(links.begin(), links.end(),
                    [&](std::size_t one, std::size_t other) { return key(one) > key(other); });
   return links;

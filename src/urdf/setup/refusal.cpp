@@ -7,7 +7,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_lines = 5;
+constexpr std::size_t most_lines = 5;  // that a refusal has, so that its first one stays in sight
 
 // No problems where time does not suffice.
 Refusal explained(const SetupSubject& subject, const ClosedResult& found, const SetupDraft& draft) {
@@ -16,15 +16,16 @@ Refusal explained(const SetupSubject& subject, const ClosedResult& found, const 
   return refusal;
 }
 
-Refusal in_options(const SetupSubject& subject, const SetupDraft& draft, Refusal refusal) {
+// The options come last: what is wrong comes first.
+Refusal with_options(const SetupSubject& subject, const SetupDraft& draft, Refusal refusal) {
   Problems& problems = refusal.problems;
   if (problems.empty()) return refusal;
-  problems.front() = subject.urdf_name + " was tried with " + options_for(draft) +
-                     ", and does not load: " + problems.front();
-  if (problems.size() <= most_lines) return refusal;
-  const std::size_t more = problems.size() - (most_lines - 1);
-  problems.resize(most_lines - 1);
-  problems.push_back(std::to_string(more) + " more of its kind.");
+  if (problems.size() > most_lines) {
+    const std::size_t kept = most_lines - 1, more = problems.size() - kept;
+    problems.resize(kept);
+    problems.push_back(std::to_string(more) + " more of its kind.");
+  }
+  problems.back() += " " + subject.urdf_name + " was read with " + options_for(draft) + ".";
   return refusal;
 }
 
@@ -34,10 +35,10 @@ Refusal refusal_of(const SetupSubject& subject, const ClosedResult& found) {
   if (found.tried.empty()) return {found.problems, false};
   Refusal first = explained(subject, found, found.tried.front());
   if (first.problems.empty()) first.problems = found.problems;
-  first = in_options(subject, found.tried.front(), first);
+  first = with_options(subject, found.tried.front(), first);
   for (std::size_t k = 1; k < found.tried.size() && !first.is_explained; ++k)
     if (const Refusal other = explained(subject, found, found.tried[k]); other.is_explained)
-      return in_options(subject, found.tried[k], other);
+      return with_options(subject, found.tried[k], other);
   return first;
 }
 

@@ -5,9 +5,11 @@
 #include "urdf/closing/ends_of_loops.h"
 #include "urdf/description/nearest_name.h"
 #include "urdf/idle_chains.h"
+#include "urdf/load_mechanism.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/setup/closed_search.h"
 #include "urdf/setup/left_open.h"
+#include "urdf/setup/like_hinges.h"
 #include "urdf/setup/open_ends.h"
 #include "urdf/setup/refusal.h"
 #include "urdf/setup/setup_config.h"
@@ -40,6 +42,7 @@ std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing) {
   return closures;
 }
 
+constexpr int least_of_arm = 3;             // joints: fewer are a turntable, or a rail with one
 constexpr std::size_t most_ends_named = 8;  // open ends of a refusal; of more it has the count
 
 class Setup {
@@ -59,6 +62,16 @@ class Setup {
     note_unknown_joints();
   }
 
+  // With the axes that hinges of like legs have, where ends alone do not say them.
+  std::vector<std::array<std::string, 2>> closures_with_axes() const {
+    Problems unused;
+    if (!answers_.closures.empty() || !find_described_loops(source_, unused).loops.closures.empty())
+      return {};
+    const OpenEnds ends = find_open_ends(tree_, bodies_);
+    if (!ends.evident || ends.pairings.front().size() > 1) return {};
+    return like_hinges(tree_, bodies_, ends.pairings.front().front());
+  }
+
   SetupResult find() {
     check_answers();
     if (!result_.problems.empty()) return result_;
@@ -73,7 +86,7 @@ class Setup {
   }
 
  private:
-  // What is stated of joints that do not exist, or do not move, is no evidence.
+  // What is stated of joints that are not there, or do not move, is no evidence.
   void note_unknown_joints() {
     for (const std::string& name : evidence_.unknown) {
       const bool is_fixed = tree_.joint_named(name).has_value();
@@ -153,9 +166,8 @@ class Setup {
     try {
       result_.mechanism =
           load_mechanism(urdf_text_, subject_.urdf_name, result_.config, subject_.config_name);
-    } catch (
-        const InvalidDescription& invalid) {  // as of places far away, which are checked where they are read
-      result_.problems = invalid.problems();
+    } catch (const InvalidDescription&) {  // as of places far away, or by lengths of another link
+      result_.problems = problems_as_options();
       return;
     }
     for (const Note& note : result_.mechanism->notes_in_pieces())
@@ -164,11 +176,35 @@ class Setup {
     result_.config = config_text(draft);
   }
 
+  Problems problems_as_options() const {
+    LoadSearch search;
+    search.as_options = true;
+    try {
+      load_mechanism(urdf_text_, subject_.urdf_name, result_.config, subject_.config_name, "", search);
+    } catch (const InvalidDescription& invalid) {
+      return invalid.problems();
+    }
+    return {};
+  }
+
   // Whether it is known why.
   bool refuse(const ClosedResult& found) {
     const Refusal refusal = refusal_of(subject_, found);
     result_.problems = refusal.problems;
+    if (const auto arm = refusal.is_explained ? std::nullopt : arm_with_loops(found))
+      result_.problems.insert(result_.problems.begin(), *arm);
     return refusal.is_explained;
+  }
+
+  // As an arm with a gripper of four-bars.
+  std::optional<std::string> arm_with_loops(const ClosedResult& found) const {
+    if (found.draft.base_link.values.empty()) return std::nullopt;
+    const std::string& base = found.draft.base_link.values.front();
+    const int joints = movable_joints_below(tree_, *tree_.link_named(base));
+    if (joints < least_of_arm) return std::nullopt;
+    return source_.files.urdf + " is a serial arm of " + std::to_string(joints) + " joints from link '" +
+           tree_.links.front() + "' to link '" + base +
+           "'; only parallel robots are treated, and the loops that it carries make none.";
   }
 
   // Where more joints are stated to be actuated than a robot has; the loader says what it leaves out.
@@ -206,7 +242,7 @@ class Setup {
   SetupResult asked_closures(const FoundLoops& described_loops) {
     const std::vector<Closure>& in_urdf = described_loops.loops.closures;
     result_.problems.clear();
-    Pairing asked{{}, "as asked for"};
+    Pairing asked{{}, answers_.closures_reason};
     for (const auto& [one, other] : answers_.closures)
       if (!is_asked_before(one, other, asked))
         asked.pairs.push_back({*tree_.link_named(one), *tree_.link_named(other), ""});
@@ -360,15 +396,15 @@ class Setup {
 
   static std::string why_to_ask(std::size_t found) {
     if (found == 1)
-      return " does not tell which open ends meet; the search ended before all ways to close the loops were "
+      return " does not say which open ends meet; the search ended before all ways to close the loops were "
              "tried, and of those that were one loads";
-    return " does not tell which open ends meet: equally much speaks for " + std::to_string(found) +
+    return " does not say which open ends meet: the evidence is equal for " + std::to_string(found) +
            " ways to close the loops";
   }
 
   void ask_for_closures(const OpenEnds& ends) {
     SetupQuestion question{
-        "closures", source_.files.urdf + " does not tell where its loops are closed", {}, {}};
+        "closures", source_.files.urdf + " does not say where its loops are closed", {}, {}};
     const std::vector<std::size_t> without_tip_frame = ends_without_tip_frame(ends);
     for (const EndPair& pair : first_pairs(ends))
       question.example.push_back(example_of(pair.one, without_tip_frame) + "=" +
@@ -416,6 +452,15 @@ class Setup {
   SetupResult result_;
 };
 
+// As links of the tree: two legs may meet there.
+void add_ends_of_closures(const LoopSource& source, Tree& tree) {
+  Problems unused;
+  for (const Closure& closure : find_described_loops(source, unused).loops.closures)
+    for (const LinkFrame& frame : closure.frames)
+      if (!frame.in_link.translation().isZero())
+        add_placed_frame(tree, placed_name(tree.links[frame.link], frame.in_link.translation()));
+}
+
 // The tree has them as links.
 void add_frames(const SetupAnswers& answers, Tree& tree) {
   for (const auto& pair : answers.closures)
@@ -440,7 +485,17 @@ SetupResult set_up(const std::string& urdf_text, const std::string& urdf_name, c
   const YAML::Node no_config(YAML::NodeType::Map);
   const SourceNames files{urdf_name, config_name};
   const LoopSource source{*document.FirstChildElement("robot"), no_config, *tree, files};
-  SetupResult found = Setup(*tree, tree_read, source, answers, control, urdf_text).find();
+  add_ends_of_closures(source, *tree);
+  Setup setup(*tree, tree_read, source, answers, control, urdf_text);
+  SetupAnswers with_axes = answers;
+  with_axes.closures = setup.closures_with_axes();
+  with_axes.closures_reason =
+      "the legs are alike, and this is the hinge by which one of them carries the platform";
+  if (!with_axes.closures.empty())
+    if (SetupResult found = set_up(urdf_text, urdf_name, config_name, with_axes, control);
+        found.problems.empty())
+      return found;
+  SetupResult found = setup.find();
   if (answers.closures.empty() && answers.base_link.empty()) {
     SetupAnswers with_leg = answers;
     with_leg.closures = ends_on_root(*tree, Bodies(*tree), found);

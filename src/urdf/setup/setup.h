@@ -16,16 +16,18 @@
 namespace parallel_aspects {
 
 /// What the user knows; what is empty is to be found. A link that closes a loop or is the operational point
-/// may be a place in the frame of a link, "rod_2@0.4:0:0" [m]. Closures are added to those that the URDF
+/// may be a place in the frame of a link, "rod_2@0.4:0:0" [m], and turned, "rod_2@0.4:0:0:0:1.57:0" [rad].
+/// Closures are added to those that the URDF
 /// describes, unless they close the same loops.
 struct SetupAnswers {
   std::string base_link;
   std::string operational_point;
   std::vector<std::string> actuated_joints;
   std::vector<std::array<std::string, 2>> closures;
+  std::string closures_reason = "as asked for";  ///< for messages and comments
 };
 
-/// One value that a key of the YAML may have, and the evidence for it. Links of a closure have '=' between
+/// One value that a key of the YAML may have, with its reason. Links of a closure have '=' between
 /// them.
 struct SetupCandidate {
   std::vector<std::string> values;
@@ -39,7 +41,7 @@ struct SetupChoice {
   std::vector<SetupCandidate> others;
 };
 
-/// What the URDF leaves open, and candidates with equally strong evidence; there may be none.
+/// What the URDF does not tell, and candidates with equal evidence; there may be none.
 struct SetupQuestion {
   std::string key;
   std::string text;  ///< one sentence
@@ -73,8 +75,8 @@ struct SetupResult {
 };
 
 /// Looks for base, loop closures, platform and actuated joints of the URDF, and tries what it finds with
-/// `load_mechanism`. It never chooses between values with equally strong evidence. The names are those of
-/// files, for messages and comments.
+/// `load_mechanism`. It never chooses between candidates with equal evidence. The names are those of files,
+/// for messages and comments.
 SetupResult set_up(const std::string& urdf_text, const std::string& urdf_name, const std::string& config_name,
                    const SetupAnswers& answers, const SetupControl& control);
 

@@ -16,11 +16,14 @@ std::optional<PlacedFrame> placed_frame(const std::string& text) {
   const std::size_t at = text.rfind('@');
   if (at == std::string::npos || at == 0) return std::nullopt;
   std::string coordinates = text.substr(at + 1);
-  if (std::count(coordinates.begin(), coordinates.end(), ':') != 2) return std::nullopt;
+  const auto colons = static_cast<std::size_t>(std::count(coordinates.begin(), coordinates.end(), ':'));
+  if (colons != 2 && colons != 5) return std::nullopt;
   std::replace(coordinates.begin(), coordinates.end(), ':', ' ');
-  const auto xyz = numbers(coordinates);
-  if (!xyz || xyz->size() != 3) return std::nullopt;
-  return PlacedFrame{text.substr(0, at), {(*xyz)[0], (*xyz)[1], (*xyz)[2]}};
+  auto found = numbers(coordinates);
+  if (!found || found->size() != colons + 1) return std::nullopt;
+  found->resize(6, 0.0);
+  const std::vector<double>& each = *found;
+  return PlacedFrame{text.substr(0, at), {each[0], each[1], each[2]}, {each[3], each[4], each[5]}};
 }
 
 void add_placed_frame(Tree& tree, const std::string& text) {
@@ -32,6 +35,7 @@ void add_placed_frame(Tree& tree, const std::string& text) {
   joint.parent = *parent;
   joint.child = tree.links.size();
   joint.origin.translation() = frame->xyz;
+  joint.origin.linear() = rotation_of(frame->rpy);
   tree.joint_above.emplace_back(tree.joints.size());
   tree.joints.push_back(joint);
   tree.links.push_back(text);
@@ -39,8 +43,8 @@ void add_placed_frame(Tree& tree, const std::string& text) {
 
 namespace {
 
-constexpr std::size_t width = 110;
-constexpr std::size_t max_others_shown = 4;
+constexpr std::size_t width = 110;           // of comments, as in the shipped files
+constexpr std::size_t max_others_shown = 4;  // as many as are tried
 
 // A text may hold anything, and a comment ends with its line.
 std::string one_line(std::string text) {
@@ -88,10 +92,13 @@ std::string yaml_frame(const std::string& text) {
     return list.substr(1, list.size() - 2);
   };
   if (!frame) return in_list(text);
-  std::string xyz;
-  for (const double coordinate : {frame->xyz.x(), frame->xyz.y(), frame->xyz.z()})
-    xyz += (xyz.empty() ? "" : ", ") + coordinate_text(coordinate);
-  return "{link: " + in_list(frame->link) + ", xyz: [" + xyz + "]}";
+  const auto list = [](const Eigen::Vector3d& vector) {
+    return "[" + coordinate_text(vector.x()) + ", " + coordinate_text(vector.y()) + ", " +
+           coordinate_text(vector.z()) + "]";
+  };
+  return "{link: " + in_list(frame->link) +
+         (frame->xyz.isZero(0.0) && !frame->rpy.isZero(0.0) ? "" : ", xyz: " + list(frame->xyz)) +
+         (frame->rpy.isZero(0.0) ? "" : ", rpy: " + list(frame->rpy)) + "}";
 }
 
 // The emitter of yaml-cpp does not indent comments.

@@ -15,10 +15,12 @@
 
 namespace parallel_aspects {
 
-/// A place in the frame of a link that has no link of its own, written "rod_2@0.4:0:0".
+/// A frame in that of a link that has no link of its own, written "rod_2@0.4:0:0", or where it is turned
+/// "rod_2@0.4:0:0:0:1.57:0".
 struct PlacedFrame {
   std::string link;
   Eigen::Vector3d xyz = Eigen::Vector3d::Zero();  ///< in the frame of the link [m]
+  Eigen::Vector3d rpy = Eigen::Vector3d::Zero();  ///< [rad]
 };
 
 /// Nothing where the text is not written so, as the name of a link.

@@ -7,9 +7,9 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t max_anchors = 3;       // in which two chains meet each
-constexpr double same_place = 1e-6;          // [m]
-constexpr std::size_t max_in_one_point = 3;  // chains
+constexpr std::size_t max_anchors = 3;       // in which two chains meet each, as in an octahedral hexapod
+constexpr double same_place = 1e-6;          // to which lengths are written [m]
+constexpr std::size_t max_in_one_point = 3;  // chains: more actuate no point
 constexpr std::size_t crowd = 4;  // of closures in one place, with the leg that carries it five legs
 
 bool all_hold(const std::vector<EndPair>& pairs, std::size_t link) {
@@ -81,7 +81,7 @@ EqualPairings shared_orders(std::vector<std::size_t> anchors,
     for (const std::size_t first : {0, 1}) {
       const auto anchor_of = [&](std::size_t chain) { return anchors[(chain + first) / 2 % count]; };
       if (carried && anchor_of(0) != *carried) continue;
-      Pairing pairing{{}, "two neighbours in one joint, for whose order nothing else speaks"};
+      Pairing pairing{{}, "two neighbours in one joint, without evidence for their order"};
       for (std::size_t k = 0; k < tips.size(); ++k)
         pairing.pairs.push_back({anchor_of(k + carriers), tips[k].front(), ""});
       orders.push_back(pairing);
@@ -109,15 +109,16 @@ std::optional<SetupQuestion> question_of_places(const Tree& tree, const OpenEnds
   if (!link) return std::nullopt;
   const std::string& name = tree.links[*link];
   const auto is_rod = [&](std::size_t end) {
+    const bool slides = tree.joints[*tree.joint_above[end]].motion == JointMotion::prismatic;
     return std::count(ends.without_tip_frame.begin(), ends.without_tip_frame.end(), end) > 0 &&
-           is_at_knee(tree, end);
+           (slides || is_at_knee(tree, end));
   };
   const bool any_rod = std::any_of(pairs.begin(), pairs.end(), [&](const EndPair& pair) {
     return is_rod(pair.one == *link ? pair.other : pair.one);
   });
   SetupQuestion question{
       "closures",
-      urdf_name + " does not tell where its loops are closed; " + std::to_string(pairs.size()) +
+      urdf_name + " does not say where its loops are closed; " + std::to_string(pairs.size()) +
           " chains end at link '" + name + "', which has no frames for them" +
           (any_rod
                ? ", and their rods have none at the far end: give the place of each in the frame of its link"

@@ -29,7 +29,8 @@ EqualPairings shared_orders(std::vector<std::size_t> anchors,
                             const std::vector<std::vector<std::size_t>>& tips,
                             std::optional<std::size_t> carried);
 
-/// How many times farther a second end is than the nearest, where positions tell which is meant.
+/// How many times farther a second end is than the nearest, where positions say which is meant: neighbours in
+/// a regular pattern are less than twice as far as each other.
 inline constexpr double distinct = 3.0;
 
 using DistanceOfEnds = std::function<double(std::size_t, std::size_t)>;

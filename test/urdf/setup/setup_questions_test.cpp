@@ -37,13 +37,6 @@ Strings filled(Strings pairs, const Strings& places) {
   return pairs;
 }
 
-// Empty where there is none.
-std::string note_with(const Mechanism& mechanism, const std::string& words) {
-  for (const std::string& note : mechanism.notes())
-    if (note.find(words) != std::string::npos) return note;
-  return "";
-}
-
 // With the work of the command, whose answer depends on nothing else; no other order of its ends is offered.
 TEST(Setup, SaysThatARobotIsSingularInEveryPose) {
   const SetupResult result = set_up(test::source_file("test/data/faulty/singular_hexapod.urdf"), "robot.urdf",
@@ -116,38 +109,27 @@ TEST(Setup, FindsTheHexapodFromTheAnswerThatItAsksFor) {
 }
 
 // The length by which the plate is beside the first pin, which all other pins then seem to have.
-TEST(Setup, WarnsOfAnAnswerWithALengthOfAnotherLink) {
+TEST(Setup, RefusesAnAnswerWithALengthOfAnotherLink) {
   const std::string urdf = urdf_of("pinned_hexapod"), length = "@-0.11508:0.125126:0";
-  const Strings places{"0.115080:0.125126:0", "0.050823:0.162225:0", "-0.165903:0.037099:0",
+  const Strings places{"0.11508:0.125126:0", "0.050823:0.162225:0", "-0.165903:0.037099:0",
                        "-0.165903:-0.037099:0", "0.050823:-0.162225:0"};
   Strings lent, right;
+  std::string all;
   for (std::size_t k = 0; k < places.size(); ++k) {
     right.push_back("plate@" + places[k] + "=pin_" + std::to_string(k + 2));
     lent.push_back(right.back() + length);
+    all += (k == 0 ? "" : " ") + right.back();
   }
   const SetupResult wrong = set_up_text(urdf, with_closures(lent));
-  ASSERT_TRUE(wrong.mechanism) << listed(wrong.problems);
-  const std::string said =
-      "These legs are not alike, which is perhaps not your robot: closures end some where link 'plate' is on "
-      "'pin_1', by the length of joint 'plate_joint', while the leg of 'pin_1' ends at its origin; if all "
-      "end "
-      "so, write closures: [{frames: [{link: plate, xyz: [0.11508, 0.125126, 0], rpy: [0, 0, 0]}, pin_2], "
-      "type: fixed}, ";
-  const std::string note = note_with(*wrong.mechanism, "not alike");
-  EXPECT_EQ(note.rfind(said, 0), 0U) << note;
-  EXPECT_NE(wrong.config.find("These legs are not alike"), std::string::npos) << wrong.config;
+  EXPECT_FALSE(wrong.mechanism);
+  EXPECT_EQ(
+      listed(wrong.problems),
+      "robot.yaml ends legs by the length of another link: closures hold rods where joint 'plate_joint' "
+      "has link 'plate' on 'pin_1', while the leg of 'pin_1' ends at its origin; end all legs so and "
+      "write --closures '" +
+          all + "', or, if the legs differ, add a link at the end of each rod to robot.urdf.\n");
   const SetupResult found = set_up_text(urdf, with_closures(right));
   ASSERT_TRUE(found.mechanism) << listed(found.problems);
-  EXPECT_EQ(note_with(*found.mechanism, "not alike"), "");
-  const std::size_t list = note.find("closures: ["), end = note.find("] under mechanism");
-  const std::size_t written = wrong.config.find("  closures:\n"), after = wrong.config.find("\n\n", written);
-  std::string corrected = wrong.config;
-  corrected.replace(written, after - written, "  " + note.substr(list, end + 1 - list));
-  const auto as_offered = load_mechanism(urdf, "robot.urdf", corrected, "robot.yaml");
-  EXPECT_EQ(note_with(*as_offered, "not alike"), "");
-  for (std::size_t leg = 0; leg < 6; ++leg)
-    EXPECT_NEAR(as_offered->manipulator()->legs()[leg].squared_distance(0.0),
-                found.mechanism->manipulator()->legs()[leg].squared_distance(0.0), 1e-7);
 }
 
 TEST(Setup, AsksForBothEndsOfRodsThatManyChainsHave) {
@@ -169,13 +151,13 @@ TEST(Setup, AsksForBothEndsOfRodsThatManyChainsHave) {
 // Also where time did not suffice to try them.
 TEST(Setup, OffersEachWayToCloseOnce) {
   const SetupControl none{0};
-  const SetupResult result = set_up(urdf_of("hung_three_rrr"), "robot.urdf", "robot.yaml", {}, none);
+  const SetupResult result = set_up(urdf_of("unnamed_three_rpr"), "robot.urdf", "robot.yaml", {}, none);
   ASSERT_TRUE(result.question) << listed(result.problems);
   std::set<std::set<std::string>> once;
   for (const SetupCandidate& candidate : result.question->candidates)
     EXPECT_TRUE(once.insert({candidate.values.begin(), candidate.values.end()}).second)
         << candidate.values.front();
-  EXPECT_EQ(once.size(), 6U);
+  EXPECT_EQ(once.size(), 2U);
 }
 
 // One way that loads, and others that were not tried, are not equals.
@@ -189,7 +171,7 @@ TEST(Setup, SaysThatItDidNotTryAllWaysToClose) {
     ASSERT_TRUE(question) << most;
   }
   EXPECT_EQ(question->text,
-            "robot.urdf does not tell which open ends meet; the search ended before all ways to close the "
+            "robot.urdf does not say which open ends meet; the search ended before all ways to close the "
             "loops were tried, and of those that were one loads");
 }
 
@@ -284,7 +266,7 @@ TEST(Setup, SaysWhyAnswersDoNotFit) {
     EXPECT_FALSE(result.question) << joints.back();
     EXPECT_FALSE(result.cut_short) << joints.back();
     ASSERT_FALSE(result.problems.empty()) << joints.back();
-    EXPECT_NE(result.problems.front().find("--actuated '" + joints.front()), std::string::npos)
+    EXPECT_NE(result.problems.back().find("--actuated '" + joints.front()), std::string::npos)
         << result.problems.front();
   }
 }
@@ -408,7 +390,7 @@ TEST(Setup, AsksWhetherAChainOfTheBaseIsALeg) {
   const SetupResult asked = set_up_text(urdf);
   ASSERT_TRUE(asked.question) << listed(asked.problems);
   EXPECT_EQ(asked.question->text,
-            "robot.urdf does not tell whether the chain between the root and link 'plate' is a leg, whose "
+            "robot.urdf does not say whether the chain between the root and link 'plate' is a leg, whose "
             "loops end on the root");
   ASSERT_EQ(asked.question->candidates.size(), 2U);
   const auto answered = [&](std::size_t k) {
