@@ -164,8 +164,9 @@ class Planning {
     const bool is_needed = robot().task_space() == TaskSpace::SE3;
     const std::string none = is_needed ? "in SE3 there is none" : "{samples} and {seed} ask a roadmap";
     if (question_.policy == PathPolicy::any)
-      problems_.push_back({ProblemKind::robot, "policy", "{policy} any needs a map, and " + none,
-                           is_needed ? "give {policy} serial, or {slice}" : "leave {samples} and {seed} out"});
+      problems_.push_back(
+          {ProblemKind::robot, "policy", "{policy} any needs a map, and " + none,
+           is_needed ? "give {policy} serial, or {slice}" : "leave {samples} and {seed} out"});
     if (!question_.map.is_default())
       problems_.push_back({ProblemKind::robot, "load",
                            "{resolution}, {load} and {save} are for maps, and " + none, "leave them out"});

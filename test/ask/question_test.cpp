@@ -13,7 +13,7 @@ std::string as_option(const std::string& field) { return "--" + field; }
 
 TEST(Problem, NamesItsFieldsAsEachFaceDoes) {
   EXPECT_EQ(text_of(no_map, as_option), "--policy any needs a map; give --policy serial, or --slice.");
-  EXPECT_EQ(text_of(no_map, plain_name), "policy any needs a map; give policy serial, or hold.");
+  EXPECT_EQ(text_of(no_map, plain_name), "policy any needs a map; give policy serial, or slice.");
 }
 
 TEST(Problem, OfALayerBelowIsToldAsItIs) {

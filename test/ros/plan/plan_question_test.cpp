@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/plan/plan_question.h"
-
 #include "ask/question_parts.h"
 #include "parallel_aspects/ask/jacobian.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "ros/messages/conversions.h"
+#include "ros/plan/plan_question.h"
 
 #include <gtest/gtest.h>
 #include <ros/message_traits.h>
@@ -14,6 +13,7 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <regex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -90,7 +90,10 @@ TEST_F(CuspQuestions, AreAnsweredWithAStartThatHasAPath) {
 // What a question has, the message has, but for what a node has no need of.
 class FieldsOfMessages {
  public:
-  explicit FieldsOfMessages(std::string definition) : definition_("\n" + std::move(definition)) {}
+  explicit FieldsOfMessages(const std::string& definition) {
+    static const std::regex comment("#[^\n]*");
+    definition_ = "\n" + std::regex_replace(definition, comment, "");
+  }
 
   template <class Value>
   void operator()(const ask::Field& field, const Value& /*value*/) {
@@ -109,8 +112,8 @@ TEST(FieldsOfQuestion, HaveTheirTwinInTheMessage) {
   FieldsOfMessages fields(ros::message_traits::Definition<PlanPathGoal>::value());
   ask::PlanQuestion question;
   describe(fields, question);
-  // A Configuration has the first ones; held_names, held_values and held_joint are `slice`; maps, roadmaps and
-  // accelerations are those of the node's parameters.
+  // A Configuration has the first ones; held_names, held_values and held_joint are `slice`; maps, roadmaps
+  // and accelerations are those of the node's parameters.
   const std::vector<std::string> others{
       "start_mode", "start_joints", "start_aspect", "goal_mode", "goal_joints", "goal_aspect", "resolution",
       "slice",      "load",         "save",         "samples",   "seed",        "acceleration"};
