@@ -3,11 +3,14 @@
 
 #include "ask/question_parts.h"
 #include "aspects/map/empty_map.h"
+#include "model/message_text.h"
 #include "model/task_space_traits.h"
+#include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include "draw/plane/palette.h"
+#include <algorithm>
 #include <utility>
 
 namespace parallel_aspects::ask {
@@ -37,21 +40,33 @@ class Mapping {
 
   Outcome<MapAnswer> run() {
     check();
-    if (!problems_.empty()) return outcome_of(std::move(problems_), control_, MapAnswer());
-    const FoundMap found = session_.map_of(options_, question_.source, control_, problems_);
-    if (!found.map) return outcome_of(std::move(problems_), control_, MapAnswer());
-    result_ = answer_of(found.map);
-    result_.loaded = found.loaded;
-    result_.no_aspect = why_empty(*found.map, control_.begin("Looking for why there is no aspect."));
-    add_basins(*found.map);
-    if (question_.neighbours) {
-      result_.neighbours = find_neighbours(*found.map, control_.begin("Looking for neighbours."));
-      result_.neighbours_not_across = held_leg(*found.map);
-    }
+    if (problems_.empty()) has_map() ? find_map() : find_roadmap();
     return outcome_of(std::move(problems_), control_, std::move(result_));
   }
 
  private:
+  bool has_map() const { return options_.slice || session_.robot()->task_space() != TaskSpace::SE3; }
+
+  void find_map() {
+    const FoundMap found = session_.map_of(options_, question_.source, control_, problems_);
+    if (!found.map) return;
+    result_ = answer_of(found.map);
+    result_.loaded = found.loaded;
+    result_.no_aspect = why_empty(*found.map, control_.begin("Looking for why there is no aspect."));
+    add_basins(*found.map);
+    if (!question_.neighbours) return;
+    result_.neighbours = find_neighbours(*found.map, control_.begin("Looking for neighbours."));
+    result_.neighbours_not_across = held_leg(*found.map);
+  }
+
+  void find_roadmap() {
+    RoadmapOptions options = question_.roadmap.options({});
+    options.region = options_.region;
+    options.threads = options_.threads;
+    if (auto roadmap = session_.roadmap(options, control_, problems_))
+      result_ = answer_of(std::move(roadmap));
+  }
+
   void refuse(ProblemKind kind, const std::string& field, std::string fault, std::string remedy) {
     problems_.push_back({kind, field, "{" + field + "} " + std::move(fault), std::move(remedy)});
   }
@@ -63,11 +78,35 @@ class Mapping {
     if (question_.extra_levels) options_.extra_levels = static_cast<int>(question_.extra_levels->value);
     options_.complete = question_.complete;
     options_.use_symmetry = !question_.no_symmetry;
-    check_sources(options_.slice || space != TaskSpace::SE3, question_.source, question_.roadmap, problems_);
+    has_map() ? check_sources(true, question_.source, question_.roadmap, problems_) : refuse_boxes();
     if (options_.complete && options_.slice)
       refuse(ProblemKind::together, "complete", "is for maps of all poses, not for slices",
              "leave out one of the two");
     if (!question_.region.empty()) find_region(space);
+  }
+
+  /// What a roadmap does not have.
+  void refuse_boxes() {
+    const MapSource& source = question_.source;
+    std::vector<std::string> given;
+    for (const auto& [field, is_given] :
+         std::vector<std::pair<std::string, bool>>{{"resolution", source.resolution.has_value()},
+                                                   {"mode", !question_.modes.empty()},
+                                                   {"load", !source.load.empty()},
+                                                   {"save", !source.save.empty()},
+                                                   {"extra_levels", question_.extra_levels.has_value()},
+                                                   {"index", question_.index.has_value()},
+                                                   {"complete", question_.complete},
+                                                   {"neighbours", question_.neighbours},
+                                                   {"no_symmetry", question_.no_symmetry},
+                                                   {"persistence", question_.persistence}})
+      if (is_given) given.push_back("{" + field + "}");
+    if (given.empty()) return;
+    const bool one = given.size() == 1;
+    problems_.push_back(
+        {ProblemKind::robot, "slice",
+         enumerated(given) + (one ? " is" : " are") + " for maps of boxes, and in SE3 only slices have these",
+         std::string("give {slice}, or leave ") + (one ? "it" : "them") + " out"});
   }
 
   void find_region(TaskSpace space) {
@@ -108,6 +147,34 @@ std::optional<std::vector<PairBottleneck>> MapAnswer::bottlenecks() const {
   std::vector<PairBottleneck> pairs;
   for (const std::vector<int>& pair : unresolved) pairs.push_back({pair, basins->bottlenecks[pairs.size()]});
   return pairs;
+}
+
+double SampledSide::largest_share() const {
+  return static_cast<double>(component_sizes.front()) / static_cast<double>(samples);
+}
+
+namespace {
+
+SampledSide sampled(const PoseRoadmap& roadmap, const RoadmapSide& side) {
+  const Manipulator& robot = *roadmap.certifier().manipulator();
+  std::vector<double> largest(side.component_sizes.size(), 0.0);
+  for (std::size_t i = 0; i < side.poses.size(); ++i) {
+    const Pose& pose = roadmap.poses()[side.poses[i]];
+    double& known = largest[side.component[i]];
+    known = std::max(known, parallel_index(robot, pose, inverse(robot, pose, side.mode).q));
+  }
+  return {side.mode, side.determinant_sign, side.poses.size(), side.component_sizes, std::move(largest)};
+}
+
+}  // namespace
+
+MapAnswer answer_of(std::shared_ptr<const PoseRoadmap> roadmap) {
+  MapAnswer answer;
+  answer.task_space = roadmap->certifier().manipulator()->task_space();
+  SampledAspects& result = answer.sampled.emplace();
+  for (const RoadmapSide& side : roadmap->sides()) result.sides.push_back(sampled(*roadmap, side));
+  result.roadmap = std::move(roadmap);
+  return answer;
 }
 
 MapAnswer answer_of(std::shared_ptr<const AspectMap> map) {

@@ -8,6 +8,7 @@
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/numbers.h"
+#include "tools/question_options.h"
 #include "tools/report/report.h"
 
 #include <chrono>
@@ -28,7 +29,7 @@ constexpr unsigned max_threads = 1024;
 
 struct ShardArguments {
   tools::RobotChoice robot;
-  tools::ConstraintArguments constraints;
+  tools::QuestionTexts constraints;
   std::string resolution, slice, modes, region;  // empty where not given
   std::string level = "2", threads = "1", folder;
 };

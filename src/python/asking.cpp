@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "python/asking.h"
 
+#include "model/message_text.h"
 #include "tools/arguments.h"
 #include "tools/report/report.h"
 
@@ -37,8 +38,12 @@ void KeywordReader::require_known() const {
   }
 }
 
+// Words of several are separated by commas.
 void KeywordReader::read(const std::string& /*name*/, const Object& given, std::string& value) {
-  value = py::module::import("os").attr("fspath")(given).cast<std::string>();
+  if (!py::isinstance<py::str>(given) && py::hasattr(given, "__iter__"))
+    value = py::str(",").attr("join")(given).cast<std::string>();
+  else
+    value = py::module::import("os").attr("fspath")(given).cast<std::string>();
 }
 
 void KeywordReader::read(const std::string& name, const Object& given, double& value) {
@@ -84,13 +89,30 @@ void KeywordReader::read(const std::string& name, const Object& given, MapSlice&
 
 void KeywordReader::read(const std::string& name, const Object& given, HeldJoint& value) {
   Problems problems;
-  value = tools::parse_held_joint(name, robot_, py::str(given), problems);
+  std::string text = py::str(given);
+  if (!py::isinstance<py::str>(given)) {
+    std::vector<HeldCoordinate> values;
+    read(name, given, values);
+    text.clear();
+    for (const HeldCoordinate& each : values)
+      text += (text.empty() ? "" : " ") + each.name + "=" + number_text(each.value, exact_digits);
+  }
+  value = tools::parse_held_joint(name, robot_, text, problems);
   refuse_any(problems);
 }
 
 void KeywordReader::read(const std::string& name, const Object& given, HeldRange& value) {
   Problems problems;
-  value = tools::parse_held_range(name, robot_, py::str(given), problems);
+  std::string text = py::str(given);
+  if (!py::isinstance<py::str>(given)) {
+    std::vector<ask::NamedRange> ranges;
+    read(name, given, ranges);
+    text.clear();
+    for (const ask::NamedRange& each : ranges)
+      text += (text.empty() ? "" : " ") + each.name + "=" + number_text(each.lower, exact_digits) + ":" +
+              number_text(each.upper, exact_digits);
+  }
+  value = tools::parse_held_range(name, robot_, text, problems);
   refuse_any(problems);
 }
 
@@ -148,6 +170,34 @@ void KeywordReader::read(const std::string& name, const Object& given, std::vect
     throw InvalidDescription({name + " is " + text_of_any(given) +
                               "; give ranges by name, such as {\"x\": (-1, 1)} or \"x=-1:1\"."});
   }
+}
+
+namespace {
+
+using Times = std::vector<double>;
+
+void require_as_many(const Times& times, std::size_t count, const std::string& name) {
+  if (times.size() != count)
+    throw InvalidDescription({"times has " + std::to_string(times.size()) + " entries, and " + name + " " +
+                              std::to_string(count) + "; give as many."});
+}
+
+}  // namespace
+
+void KeywordReader::read(const std::string& /*name*/, const Object& given,
+                         std::vector<PoseWaypoint>& waypoints) {
+  const auto [times, values] = given.cast<std::pair<Times, Array>>();
+  const std::vector<Pose> poses = poses_of("poses", robot_, values);
+  require_as_many(times, poses.size(), "poses");
+  for (std::size_t i = 0; i < poses.size(); ++i) waypoints.push_back({times[i], poses[i]});
+}
+
+void KeywordReader::read(const std::string& /*name*/, const Object& given,
+                         std::vector<JointWaypoint>& waypoints) {
+  const auto [times, values] = given.cast<std::pair<Times, Array>>();
+  const std::vector<JointVector> joints = joints_of("q", robot_, values);
+  require_as_many(times, joints.size(), "q");
+  for (std::size_t i = 0; i < joints.size(); ++i) waypoints.push_back({times[i], joints[i], {}, {}});
 }
 
 unsigned KeywordReader::whole_number(const std::string& name, const Object& given, unsigned least,

@@ -3,8 +3,7 @@
 #define PARALLEL_ASPECTS_PYTHON_ASKING_H
 
 #include "parallel_aspects/ask/check.h"
-#include "parallel_aspects/ask/connect.h"
-#include "parallel_aspects/ask/distance.h"
+#include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
@@ -78,6 +77,8 @@ class KeywordReader {
   void read(const std::string& name, const Object& given, std::vector<WorkingMode>& values);
   void read(const std::string& name, const Object& given, std::vector<HeldCoordinate>& values);
   void read(const std::string& name, const Object& given, std::vector<ask::NamedRange>& values);
+  void read(const std::string& name, const Object& given, std::vector<PoseWaypoint>& waypoints);
+  void read(const std::string& name, const Object& given, std::vector<JointWaypoint>& waypoints);
   static std::vector<Object> listed(const Object& given);
   static unsigned whole_number(const std::string& name, const Object& given, unsigned least,
                                unsigned largest);
@@ -191,12 +192,25 @@ void add_remarks(const ask::CheckAnswer& answer, pybind11::dict& result);
 template <class Answer>
 void add_remarks(const Answer& /*has none*/, pybind11::dict& /*answer*/) {}
 
+/// What the list of fields leaves to each face: waypoints, as their times and what is there.
+template <class Question>
+void read_waypoints(KeywordReader& /*reader*/, Question& /*has none*/) {}
+inline void read_waypoints(KeywordReader& reader, ask::ChooseQuestion& question) {
+  reader({"path", "", ""}, question.path);
+}
+inline void read_waypoints(KeywordReader& reader, ask::CheckQuestion& question) {
+  reader({"path", "", ""}, question.path);
+  reader({"trajectory", "", ""}, question.trajectory);
+  question.keep_samples = true;
+}
+
 /// What is asked. Throws `InvalidDescription`, or a TypeError.
 template <class Question>
 Question read_question(const Manipulator& robot, const pybind11::dict& keywords) {
   Question question;
   KeywordReader reader(robot, keywords);
   describe(reader, question);
+  read_waypoints(reader, question);
   reader.require_known();
   return question;
 }
@@ -227,13 +241,6 @@ pybind11::dict dict_of(const Manipulator& robot, const Answer& answer) {
   pybind11::dict result = writer.take();
   add_remarks(answer, result);
   return result;
-}
-
-/// Both.
-template <class Question>
-pybind11::dict ask_session(SharedSession& shared, const Question& question,
-                           const pybind11::object& progress) {
-  return dict_of(*shared.session.robot(), answered(shared, question, progress));
 }
 
 }  // namespace parallel_aspects::python

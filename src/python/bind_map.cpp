@@ -14,17 +14,20 @@ namespace {
 
 namespace py = pybind11;
 
-CoreMap mapped(const CoreRobot& robot, const ask::MapQuestion& question, const py::object& progress) {
+/// Of a roadmap its fields.
+py::object mapped(const CoreRobot& robot, const ask::MapQuestion& question, const py::object& progress) {
   SharedSession questions(robot.manipulator);
   const ask::MapAnswer answer = answered(questions, question, progress);
-  return {answer.map, dict_of(*robot.manipulator, answer)};
+  py::dict fields = dict_of(*robot.manipulator, answer);
+  if (answer.sampled) return std::move(fields);
+  return py::cast(CoreMap(answer.map, std::move(fields)));
 }
 
-CoreMap compute(const CoreRobot& robot, const py::dict& keywords, const py::object& progress) {
+py::object compute(const CoreRobot& robot, const py::dict& keywords, const py::object& progress) {
   return mapped(robot, read_question<ask::MapQuestion>(*robot.manipulator, keywords), progress);
 }
 
-CoreMap load_file(const CoreRobot& robot, const std::string& file, const py::dict& keywords) {
+py::object load_file(const CoreRobot& robot, const std::string& file, const py::dict& keywords) {
   auto question = read_question<ask::MapQuestion>(*robot.manipulator, keywords);
   question.source.load = file;
   question.source.must_load = true;
@@ -143,6 +146,9 @@ void bind_map(RobotClass& robot, MapClass& map) {
   robot.def("load_map", load_file);
   map.def_readonly("fields", &CoreMap::fields);
   map.def_property_readonly("coordinates", [](const CoreMap& self) { return self.map->coordinates(); });
+  map.def("is_of", [](const CoreMap& self, const CoreRobot& robot) {
+    return self.map->manipulator() == robot.manipulator;
+  });
   map.def("locate", locate);
   map.def("boxes", boxes_of);
   map.def("undecided", undecided_boxes);

@@ -15,6 +15,7 @@
 #include "python/arrays.h"
 #include "python/asking.h"
 #include "python/bindings.h"
+#include <map>
 #include <pybind11/stl.h>
 #include <utility>
 
@@ -22,6 +23,73 @@ namespace parallel_aspects::python {
 namespace {
 
 namespace py = pybind11;
+
+/// A question by its name: its fields, and who answers it.
+struct Asked {
+  py::list (*fields)();
+  py::dict (*ask)(SharedSession& shared, const py::dict& keywords, const py::object& progress);
+};
+
+template <class Question>
+Asked asked() {
+  return {fields_of<Question>,
+          [](SharedSession& shared, const py::dict& keywords, const py::object& progress) {
+            const Manipulator& robot = *shared.session.robot();
+            return dict_of(robot, answered(shared, read_question<Question>(robot, keywords), progress));
+          }};
+}
+
+const std::map<std::string, Asked>& questions() {
+  static const std::map<std::string, Asked> all{{"check", asked<ask::CheckQuestion>()},
+                                                {"choose", asked<ask::ChooseQuestion>()},
+                                                {"connect", asked<ask::ConnectQuestion>()},
+                                                {"describe", asked<ask::DescribeQuestion>()},
+                                                {"direct", asked<ask::DirectQuestion>()},
+                                                {"distance", asked<ask::DistanceQuestion>()},
+                                                {"graph", asked<ask::GraphQuestion>()},
+                                                {"inverse", asked<ask::InverseQuestion>()},
+                                                {"jacobian", asked<ask::JacobianQuestion>()},
+                                                {"locate", asked<ask::LocateQuestion>()},
+                                                {"map", asked<ask::MapQuestion>()},
+                                                {"plan", asked<ask::PlanQuestion>()},
+                                                {"uniqueness", asked<ask::UniquenessQuestion>()},
+                                                {"workspace", asked<ask::LargestShapeQuestion>()}};
+  return all;
+}
+
+/// By the class of the module that holds it.
+const std::map<std::string, py::list (*)()>& answers() {
+  static const std::map<std::string, py::list (*)()> all{{"Aspect", fields_of<ask::MappedAspect>},
+                                                         {"BoundaryDistance", fields_of<ask::DistanceTo>},
+                                                         {"Check", fields_of<ask::CheckAnswer>},
+                                                         {"Configuration", fields_of<ask::InverseInMode>},
+                                                         {"DirectSolutions", fields_of<ask::DirectAnswer>},
+                                                         {"Distances", fields_of<ask::DistancesInMode>},
+                                                         {"Jacobian", fields_of<ask::JacobianAt>},
+                                                         {"Jacobians", fields_of<ask::JacobianAnswer>},
+                                                         {"Map", fields_of<ask::MapAnswer>},
+                                                         {"Path", fields_of<ask::PlanAnswer>},
+                                                         {"Roadmap", fields_of<ask::SampledAspects>},
+                                                         {"Workspace", fields_of<ask::ShapeInAspect>}};
+  return all;
+}
+
+py::list fields(const std::string& name) {
+  const auto question = questions().find(name);
+  return question != questions().end() ? question->second.fields() : answers().at(name)();
+}
+
+py::dict ask_robot(const CoreRobot& robot, const std::string& question, const py::dict& keywords,
+                   const py::object& progress) {
+  SharedSession shared(robot.manipulator);
+  shared.session.know(robot.mechanism);
+  return questions().at(question).ask(shared, keywords, progress);
+}
+
+py::dict ask_map(const CoreMap& map, const std::string& question, const py::dict& keywords,
+                 const py::object& progress) {
+  return questions().at(question).ask(*map.questions, keywords, progress);
+}
 
 /// Shape (n, 3, 2): to parallel and serial singularities and limits, each a lower and an upper bound.
 Array distances(const CoreRobot& robot, const Array& values, const py::dict& keywords,
@@ -51,121 +119,11 @@ Array distances(const CoreRobot& robot, const Array& values, const py::dict& key
 
 }  // namespace
 
-void bind_distance(RobotClass& robot) { robot.def("distances", distances); }
-
-namespace {
-
-namespace py = pybind11;
-
-using Times = std::vector<double>;
-
-void require_as_many(const Times& times, std::size_t count, const std::string& name) {
-  if (times.size() != count)
-    throw InvalidDescription({"times has " + std::to_string(times.size()) + " entries, and " + name + " " +
-                              std::to_string(count) + "; give as many."});
-}
-
-std::vector<PoseWaypoint> waypoints_of(const Manipulator& manipulator, const Times& times,
-                                       const Array& values) {
-  const std::vector<Pose> poses = poses_of("poses", manipulator, values);
-  require_as_many(times, poses.size(), "poses");
-  std::vector<PoseWaypoint> waypoints;
-  for (std::size_t i = 0; i < poses.size(); ++i) waypoints.push_back({times[i], poses[i]});
-  return waypoints;
-}
-
-/// With its samples.
-py::dict check(const CoreRobot& robot, ask::CheckQuestion question, const py::object& progress) {
-  question.keep_samples = true;
-  SharedSession questions(robot.manipulator);
-  return ask_session(questions, question, progress);
-}
-
-py::dict check_poses(const CoreRobot& robot, const Times& times, const Array& values,
-                     const py::dict& keywords, const py::object& progress) {
-  auto question = read_question<ask::CheckQuestion>(*robot.manipulator, keywords);
-  question.path = waypoints_of(*robot.manipulator, times, values);
-  return check(robot, std::move(question), progress);
-}
-
-py::dict check_joints(const CoreRobot& robot, const Times& times, const Array& values,
-                      const py::dict& keywords, const py::object& progress) {
-  auto question = read_question<ask::CheckQuestion>(*robot.manipulator, keywords);
-  const std::vector<JointVector> joints = joints_of("q", *robot.manipulator, values);
-  require_as_many(times, joints.size(), "q");
-  question.trajectory.emplace();
-  for (std::size_t i = 0; i < joints.size(); ++i)
-    question.trajectory->push_back({times[i], joints[i], {}, {}});
-  return check(robot, std::move(question), progress);
-}
-
-/// Of a path, where there are times, and else of a region.
-py::dict choose(const CoreRobot& robot, const py::object& times, const py::object& values,
-                const py::dict& keywords, const py::object& map, const py::object& progress) {
-  auto question = read_question<ask::ChooseQuestion>(*robot.manipulator, keywords);
-  if (!times.is_none())
-    question.path = waypoints_of(*robot.manipulator, times.cast<Times>(), values.cast<Array>());
-  if (map.is_none()) {
-    SharedSession questions(robot.manipulator);
-    return ask_session(questions, question, progress);
-  }
-  const auto& known = map.cast<const CoreMap&>();
-  if (known.map->manipulator() != robot.manipulator)
-    throw InvalidDescription({"map is of another robot; give one that this robot's map() returned."});
-  return ask_session(*known.questions, question, progress);
-}
-
-template <class Question>
-py::dict ask_robot(const CoreRobot& robot, const py::dict& keywords, const py::object& progress) {
-  SharedSession questions(robot.manipulator);
-  questions.session.know(robot.mechanism);
-  return ask_session(questions, read_question<Question>(*robot.manipulator, keywords), progress);
-}
-
-template <class Question>
-py::dict ask_map(const CoreMap& map, const py::dict& keywords, const py::object& progress) {
-  return ask_session(*map.questions, read_question<Question>(map.robot(), keywords), progress);
-}
-
-template <class Question, class Answer>
-void bind_question(const std::string& name, py::module& module, RobotClass& robot, MapClass& map) {
-  module.def((name + "_question").c_str(), fields_of<Question>);
-  module.def((name + "_answer").c_str(), fields_of<Answer>);
-  robot.def(name.c_str(), ask_robot<Question>);
-  map.def(name.c_str(), ask_map<Question>);
-}
-
-}  // namespace
-
-void bind_motion(py::module& module, RobotClass& robot, MapClass& map) {
-  robot.def("check", check_poses);
-  robot.def("check_joints", check_joints);
-  robot.def("choose", choose);
-  robot.def("configurations", ask_robot<ask::InverseQuestion>);
-  robot.def("direct", ask_robot<ask::DirectQuestion>);
-  robot.def("describe", ask_robot<ask::DescribeQuestion>);
-  robot.def("jacobian", ask_robot<ask::JacobianQuestion>);
-  robot.def("uniqueness", ask_robot<ask::UniquenessQuestion>);
-  module.def("uniqueness_question", fields_of<ask::UniquenessQuestion>);
-  module.def("inverse_answer", fields_of<ask::InverseInMode>);
-  module.def("direct_answer", fields_of<ask::DirectAnswer>);
-  module.def("jacobian_question", fields_of<ask::JacobianQuestion>);
-  module.def("jacobian_at", fields_of<ask::JacobianAt>);
-  module.def("jacobian_answer", fields_of<ask::JacobianAnswer>);
-  bind_question<ask::PlanQuestion, ask::PlanAnswer>("plan", module, robot, map);
-  module.def("map_question", fields_of<ask::MapQuestion>);
-  module.def("map_answer", fields_of<ask::MapAnswer>);
-  module.def("aspect_answer", fields_of<ask::MappedAspect>);
-  bind_question<ask::GraphQuestion, ask::GraphAnswer>("graph", module, robot, map);
-  bind_question<ask::ConnectQuestion, ask::ConnectAnswer>("connect", module, robot, map);
-  bind_question<ask::DistanceQuestion, ask::DistancesInMode>("distance", module, robot, map);
-  robot.def("locate", ask_robot<ask::LocateQuestion>);
-  module.def("locate_question", fields_of<ask::LocateQuestion>);
-  module.def("check_question", fields_of<ask::CheckQuestion>);
-  module.def("check_answer", fields_of<ask::CheckAnswer>);
-  module.def("choose_question", fields_of<ask::ChooseQuestion>);
-  module.def("distance_to", fields_of<ask::DistanceTo>);
-  bind_question<ask::LargestShapeQuestion, ask::ShapeInAspect>("workspace", module, robot, map);
+void bind_questions(py::module& module, RobotClass& robot, MapClass& map) {
+  module.def("fields", fields);
+  robot.def("ask", ask_robot);
+  robot.def("distances", distances);
+  map.def("ask", ask_map);
 }
 
 }  // namespace parallel_aspects::python

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ask/constraint_choice.h"
 #include "parallel_aspects/aspects/design.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 #include "parallel_aspects/urdf/mechanism.h"
-#include "tools/arguments.h"
 #include "tools/shipped_robots.h"
 #include "tools/sweep/sweep_arguments.h"
 #include "tools/sweep/sweep_file.h"
@@ -96,14 +96,12 @@ py::dict lengths_of_robot(const CoreRobot& robot) {
   return lengths;
 }
 
-CoreRobot constrained(const CoreRobot& robot, const std::string& only, const std::string& without,
-                      const std::string& margins, const std::string& tolerance) {
-  try {
-    return {tools::choose_constraints(robot.manipulator, {only, without, margins, tolerance})};
-  } catch (const InvalidDescription& invalid) {
-    refuse_any(invalid.problems());
-    throw;
-  }
+CoreRobot constrained(const CoreRobot& robot, const py::dict& keywords) {
+  ask::ProblemList problems;
+  const auto choice = read_question<ask::ConstraintChoice>(*robot.manipulator, keywords);
+  auto chosen = ask::constrained(robot.manipulator, choice, problems);
+  refuse_any(texts_of(problems, ask::plain_name));
+  return {std::move(chosen)};
 }
 
 CoreRobot with_lengths(const CoreRobot& robot, const DesignValues& values, bool keep_ties) {
@@ -118,7 +116,8 @@ void sweep(const CoreRobot& robot, const std::string& file, const py::dict& keyw
   tools::Shard shard;
   Problems problems;
   const auto arguments = read_question<tools::SweepArguments>(*robot.manipulator, keywords);
-  const tools::SweepPlan plan = tools::plan_sweep(robot.manipulator, arguments, shard, problems);
+  const tools::SweepPlan plan =
+      tools::plan_sweep(robot.manipulator, arguments, ask::plain_name, shard, problems);
   refuse_any(problems);
   tools::SweepFile rows(plan, shard, file);
   run_long(progress, [&](const MapControl& control) {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "python/bindings.h"
 
-#include <algorithm>
 #include <exception>
 #include <pybind11/stl.h>
-#include <regex>
 #include <string>
 #include <utility>
 
@@ -16,24 +14,13 @@ namespace py = pybind11;
 // Lives as long as the interpreter.
 PyObject* invalid_description = nullptr;
 
+constexpr std::chrono::milliseconds between_looks{50};
+
 void raise(const InvalidDescription& invalid) {
   const py::object type = py::reinterpret_borrow<py::object>(invalid_description);
   const py::object error = type(std::string(invalid.what()));
   error.attr("problems") = invalid.problems();
   PyErr_SetObject(invalid_description, error.ptr());
-}
-
-std::string with_keywords(const std::string& problem) {
-  static const std::regex option("--([a-z]+(?:-[a-z]+)*)");
-  std::string text;
-  auto at = problem.begin();
-  for (std::sregex_iterator match(problem.begin(), problem.end(), option), end; match != end; ++match) {
-    std::string name = (*match)[1];
-    std::replace(name.begin(), name.end(), '-', '_');
-    text.append(at, (*match)[0].first).append(name);
-    at = (*match)[0].second;
-  }
-  return text.append(at, problem.end());
 }
 
 }  // namespace
@@ -55,18 +42,8 @@ void bind_errors(py::module& module) {
 }
 
 void refuse_any(const Problems& problems) {
-  Problems told;
-  for (const std::string& problem : problems) told.push_back(with_keywords(problem));
-  if (!told.empty()) throw InvalidDescription(std::move(told));
+  if (!problems.empty()) throw InvalidDescription(problems);
 }
-
-namespace {
-
-namespace py = pybind11;
-
-constexpr std::chrono::milliseconds between_looks{50};
-
-}  // namespace
 
 void attend(LongCall& call, const py::object& progress,
             const std::function<bool(std::chrono::milliseconds)>& is_done) {

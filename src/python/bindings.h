@@ -55,15 +55,13 @@ using MapClass = pybind11::class_<CoreMap>;
 /// Each adds functions to the module or methods to the class.
 void bind_loading(pybind11::module& module);
 void bind_robot(RobotClass& robot);
-void bind_distance(RobotClass& robot);
-void bind_motion(pybind11::module& module, RobotClass& robot, MapClass& map);
+void bind_questions(pybind11::module& module, RobotClass& robot, MapClass& map);
 void bind_map(RobotClass& robot, MapClass& map);
 
 /// Makes `InvalidDescription` a `ValueError` of the module, with all `problems`.
 void bind_errors(pybind11::module& module);
 
-/// Throws `InvalidDescription` where there are any, with keyword arguments for options such as
-/// "--aspect-ratio".
+/// Throws `InvalidDescription` where there are any.
 void refuse_any(const Problems& problems);
 
 /// What a computation in another thread and the thread of Python's call tell each other.

@@ -11,7 +11,6 @@ PYBIND11_MODULE(_core, module) {
   pa::RobotClass robot(module, "Robot");
   pa::MapClass map(module, "Map");
   pa::bind_robot(robot);
-  pa::bind_distance(robot);
   pa::bind_map(robot, map);
-  pa::bind_motion(module, robot, map);
+  pa::bind_questions(module, robot, map);
 }

@@ -7,7 +7,6 @@
 #include "model/message_text.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "tools/computation.h"
 #include "tools/numbers.h"
 #include "tools/subcommands.h"
 
@@ -21,11 +20,6 @@
 #include <vector>
 
 namespace parallel_aspects::tools {
-namespace {
-
-constexpr unsigned max_samples = 100000, largest_seed = 4294967295;
-
-}  // namespace
 
 Pose parse_pose(const std::string& option, TaskSpace space, const std::string& text, Problems& problems) {
   const std::size_t known = problems.size();
@@ -167,26 +161,6 @@ std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulat
   return std::nullopt;
 }
 
-RoadmapOptions parse_roadmap(const RoadmapArguments& arguments, Problems& problems) {
-  RoadmapOptions options;
-  if (!arguments.samples.empty())
-    options.samples = parse_count("--samples", arguments.samples, max_samples, problems, 1);
-  if (!arguments.seed.empty()) options.seed = parse_count("--seed", arguments.seed, largest_seed, problems);
-  return options;
-}
-
-std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipulator> manipulator,
-                                                   const RoadmapOptions& options,
-                                                   const Surroundings& surroundings) {
-  const ShownComputation shown(surroundings);
-  return compute_roadmap(std::move(manipulator), options, shown.control());
-}
-
-std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipulator> manipulator,
-                                                   const RoadmapOptions& options, const MapControl& control) {
-  return required(compute_pose_roadmap(std::move(manipulator), options, control)).roadmap;
-}
-
 namespace {
 
 /// The name and the numbers behind it, with colons between them; nothing, with a message, for another text.
@@ -224,10 +198,10 @@ std::vector<double> parse_ratio(const std::string& option, std::string text, Pro
 }
 
 std::vector<HeldCoordinate> parse_values(const std::string& option, const std::string& text,
-                                         Problems& problems) {
+                                         Problems& problems, const std::string& example) {
   std::vector<HeldCoordinate> values;
   for (const std::string& word : words_of_list(text))
-    if (auto found = named_numbers(option, word, 1, "names with their values, such as \"x=0.5\"", problems))
+    if (auto found = named_numbers(option, word, 1, "names with their values, such as " + example, problems))
       values.push_back({std::move(found->first), found->second[0]});
   return values;
 }

@@ -5,7 +5,6 @@
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
-#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"
@@ -49,55 +48,13 @@ std::string example_of_plane(const Manipulator& manipulator, const Pose& pose);
 /// Numbers with blanks, commas or colons between them, such as "1:2".
 std::vector<double> parse_ratio(const std::string& option, std::string text, Problems& problems);
 
-/// Values by name, such as "x=1 y=2", separated by blanks or commas.
+/// Values by name, such as "x=1 y=2", separated by blanks or commas. Messages give the example.
 std::vector<HeldCoordinate> parse_values(const std::string& option, const std::string& text,
-                                         Problems& problems);
+                                         Problems& problems, const std::string& example = "\"x=0.5\"");
 
 /// Ranges by name, such as "x=-5:5 phi=0:1", likewise.
 std::vector<ask::NamedRange> parse_ranges(const std::string& option, const std::string& text,
                                           Problems& problems, const std::string& example = "\"x=-1:1\"");
-
-/// The margins that `text` gives, such as "parallel=0.05 serial=0.1", separated by blanks or commas; those
-/// that it does not name are as in `others`.
-Margins parse_margins(const std::string& option, std::string text, const Margins& others, Problems& problems);
-
-/// Which constraints bound the aspects, and of robots within which tolerance, as text from the command line;
-/// empty where not given.
-struct ConstraintArguments {
-  std::string only, without, margins, tolerance;
-};
-
-/// `--constraint LIST`, `--no-constraint LIST`, `--margin LIST` and `--tolerance SHARE`, which fill
-/// `arguments`.
-std::vector<Option> constraint_options(ConstraintArguments& arguments);
-
-/// The manipulator with the constraints and the tolerance that are chosen; by default those that its
-/// description states. Throws `InvalidDescription` with every problem.
-std::shared_ptr<const Manipulator> choose_constraints(std::shared_ptr<const Manipulator> manipulator,
-                                                      const ConstraintArguments& arguments);
-
-/// Of a robot with this choice: direct solutions are those of one robot, so that none has a tolerance.
-void refuse_tolerance(const ConstraintArguments& arguments, const Manipulator& robot, Problems& problems);
-
-/// Likewise, and cusps and regions of actuated values are bounded by limits of actuated joints alone.
-void refuse_other_bounds(const ConstraintArguments& arguments, const Manipulator& robot, Problems& problems);
-
-/// What is sampled for a roadmap, as text from the command line; empty where not given.
-struct RoadmapArguments {
-  std::string samples, seed;
-};
-
-RoadmapOptions parse_roadmap(const RoadmapArguments& arguments, Problems& problems);
-
-/// Computes it, with a progress bar on a terminal. Throws `Interrupted`, or `InvalidDescription` where it is
-/// refused.
-std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipulator> manipulator,
-                                                   const RoadmapOptions& options,
-                                                   const Surroundings& surroundings);
-
-/// The same as a part of a computation that is shown.
-std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipulator> manipulator,
-                                                   const RoadmapOptions& options, const MapControl& control);
 
 /// The range of an actuated joint that `text` names, such as "strut_1_joint=10:32", or the name alone: within
 /// its limits. Messages name `option`.

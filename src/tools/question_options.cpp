@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/question_options.h"
 
+#include "ask/question_parts.h"
+#include "model/task_space_traits.h"
 #include "tools/arguments.h"
 #include "tools/output_file.h"
 #include "tools/subcommands.h"
+
+#include <utility>
 
 namespace parallel_aspects::tools {
 
@@ -57,12 +61,36 @@ void TextReader::read(const std::string& option, const std::string& text, std::v
 
 void TextReader::read(const std::string& option, const std::string& text,
                       std::vector<HeldCoordinate>& values) {
-  values = parse_values(option, text, problems_);
+  const bool has_example = example_.find('=') != std::string::npos;
+  values = parse_values(option, text, problems_, has_example ? example_ : "\"parallel=0.05 serial=0.1\"");
 }
 
 void TextReader::read(const std::string& option, const std::string& text,
                       std::vector<ask::NamedRange>& values) {
-  values = parse_ranges(option, text, problems_);
+  if (robot_ != nullptr) values = parse_ranges(option, text, problems_, example_of_ranges());
+}
+
+// Of the positions of the robot, where it has some.
+std::string TextReader::example_of_ranges() const {
+  std::vector<std::string> names = coordinate_names(robot_->task_space());
+  names.resize(directions(robot_->task_space()));
+  return names.empty() || example_.find("x=") == std::string::npos ? example_ : ask::example_of_ranges(names);
+}
+
+ask::ConstraintChoice constraint_choice(const Manipulator& robot, const QuestionTexts& texts) {
+  Problems reported_by_choose_constraints;
+  return read_question<ask::ConstraintChoice>(robot, texts, reported_by_choose_constraints);
+}
+
+std::shared_ptr<const Manipulator> choose_constraints(const std::shared_ptr<const Manipulator>& robot,
+                                                      const QuestionTexts& texts) {
+  Problems problems;
+  ask::ProblemList wrong;
+  const auto choice = read_question<ask::ConstraintChoice>(*robot, texts, problems);
+  auto chosen = ask::constrained(robot, choice, wrong);
+  for (const std::string& each : texts_of(wrong, option_name)) problems.push_back(each);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  return chosen;
 }
 
 ShownAnswering::ShownAnswering(const Surroundings& surroundings) : shown_(surroundings) {

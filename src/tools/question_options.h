@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_QUESTION_OPTIONS_H
 #define PARALLEL_ASPECTS_TOOLS_QUESTION_OPTIONS_H
 
+#include "ask/constraint_choice.h"
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/ask/session.h"
 #include "parallel_aspects/aspects/map_slice.h"
@@ -59,6 +60,7 @@ class OptionList {
     if (std::is_same_v<Value, std::string> && field.value == "LIST") return Words::names;
     return field.value.find('=') == std::string::npos ? words_of(value) : Words::assignments;
   }
+  static Words words_of(const std::vector<HeldCoordinate>& /*value*/) { return Words::assignments; }
   template <class Value>
   static Words words_of(const Value& /*value*/) {
     return Words::one;
@@ -125,6 +127,7 @@ class TextReader {
   template <class Value>
   void operator()(const ask::Field& field, Value& value) {
     const auto text = texts_.find(field.name);
+    example_ = field.value;
     if (text != texts_.end() && !text->second.empty()) read(option_name(field.name), text->second, value);
   }
   void operator()(const ask::Field& field, bool& value) {
@@ -166,11 +169,13 @@ class TextReader {
   void read(const std::string& option, const std::string& text, std::vector<WorkingMode>& values);
   void read(const std::string& option, const std::string& text, std::vector<HeldCoordinate>& values);
   void read(const std::string& option, const std::string& text, std::vector<ask::NamedRange>& values);
+  std::string example_of_ranges() const;
 
   const Manipulator* robot_;
   const QuestionTexts& texts_;
   const QuestionFlags& flags_;
   Problems& problems_;
+  std::string example_;  // of the value
 };
 
 /// What is asked.
@@ -243,8 +248,21 @@ struct QuestionArguments {
   RobotChoice robot;
   QuestionTexts texts;
   QuestionFlags flags;
-  ConstraintArguments constraints;
+  QuestionTexts constraints;
 };
+
+/// The options of a choice of constraints, which fill `texts`.
+inline std::vector<Option> constraint_options(QuestionTexts& texts) {
+  return question_options<ask::ConstraintChoice>(texts);
+}
+
+/// The robot with the constraints and the tolerance that are chosen. Throws `InvalidDescription` with every
+/// problem.
+std::shared_ptr<const Manipulator> choose_constraints(const std::shared_ptr<const Manipulator>& robot,
+                                                      const QuestionTexts& texts);
+
+/// The choice that was made with it.
+ask::ConstraintChoice constraint_choice(const Manipulator& robot, const QuestionTexts& texts);
 
 /// The robot that a question is about. Throws `InvalidDescription`, with these problems, too.
 inline std::shared_ptr<const Manipulator> robot_of(const QuestionArguments& arguments,

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ask/map.h"
 
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/singularity/indices.h"
+
 #include <gtest/gtest.h>
 
 #include "support/robots/robots.h"
 #include "support/robots/shipped.h"
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 
@@ -52,6 +57,36 @@ TEST(MapAnswer, FilesAreNeededWhereThatIsSaid) {
   question.source.resolution = 0.25;
   EXPECT_EQ(answer(session, question).problems.size(), 1U);
   std::remove(question.source.load.c_str());
+}
+
+TEST(MapAnswer, WithSixDegreesOfFreedomThereIsARoadmap) {
+  Session session(test::shipped("stewart")->mapped_manipulator());
+  MapQuestion question;
+  question.roadmap.samples.emplace().value = 40;
+  const auto outcome = answer(session, question);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome.answer.map, nullptr);
+  const SampledAspects& found = outcome.answer.sampled.value();
+  ASSERT_EQ(found.sides.size(), found.roadmap->proved_count());
+  for (std::size_t i = 0; i < found.sides.size(); ++i) {
+    const SampledSide& side = found.sides[i];
+    ASSERT_EQ(side.samples, found.roadmap->sides()[i].poses.size());
+    double largest = 0.0;
+    for (const std::uint32_t pose : found.roadmap->sides()[i].poses) {
+      const Pose& sample = found.roadmap->poses()[pose];
+      const JointVector q = inverse(*session.robot(), sample, side.mode).q;
+      largest = std::max(largest, parallel_index(*session.robot(), sample, q));
+    }
+    EXPECT_EQ(*std::max_element(side.largest_indices.begin(), side.largest_indices.end()), largest);
+  }
+  question.source.resolution = 0.1;
+  question.neighbours = true;
+  const auto refused = answer(session, question);
+  ASSERT_EQ(refused.problems.size(), 1U);
+  EXPECT_EQ(
+      text_of(refused.problems[0], plain_name),
+      "resolution and neighbours are for maps of boxes, and in SE3 only slices have these; give slice, or "
+      "leave them out.");
 }
 
 TEST(MapAnswer, FieldsThatExcludeEachOtherAreNamed) {

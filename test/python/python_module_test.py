@@ -352,6 +352,17 @@ def test_bad_arguments_are_refused_by_name(robot, aspects, words):
     assert not any("--" in problem for problem in caught.value.problems)
 
 
+def test_a_roadmap_takes_the_place_of_a_map_with_six_degrees_of_freedom():
+    robot = pa.load("stewart")
+    found = robot.map(samples=30)
+    assert isinstance(found, pa.Roadmap) and found.samples == 30 and found.proved_count == len(found.sides)
+    for side in found.sides:
+        assert sum(side.component_sizes) == side.samples and side.largest_share == side.component_sizes[0] / side.samples
+        assert len(side.largest_indices) == len(side.component_sizes)
+    with pytest.raises(pa.InvalidDescription, match="resolution is for maps of boxes"):
+        robot.map(resolution=0.1)
+
+
 def test_saved_maps_come_back(robot, aspects, tmp_path):
     aspects.save(tmp_path / "map")
     loaded = robot.load_map(tmp_path / "map")

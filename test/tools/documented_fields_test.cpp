@@ -63,6 +63,8 @@ TEST(DocumentedFields, AreThoseOfTheAnswers) {
   expect_documented<ask::MapAnswer>();
   expect_documented<ask::MappedAspect>();
   expect_documented<ask::PairBottleneck>();
+  expect_documented<ask::SampledAspects>();
+  expect_documented(ask::SampledSide{WorkingMode(), 1, 1, {1}, {0.0}});
   expect_documented<Basin>();
   expect_documented<ask::GraphAnswer>();
   expect_documented<ask::GraphNode>();

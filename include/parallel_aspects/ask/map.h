@@ -173,6 +173,51 @@ void describe(Visit& visit, const PairBottleneck& answer) {
       answer.bottleneck);
 }
 
+/// Samples of a roadmap in one working mode with one sign of det A.
+struct SampledSide {
+  WorkingMode mode;                          ///< signs of B_jj
+  int determinant_sign = 1;                  ///< of det A
+  std::size_t samples = 0;                   ///< proved to lie on it
+  std::vector<std::size_t> component_sizes;  ///< of these, by component, falling
+  std::vector<double> largest_indices;       ///< the largest parallel index of a sample, likewise
+
+  double largest_share() const;  ///< of the samples, of the largest component
+};
+
+/// Its fields.
+template <class Visit>
+void describe(Visit& visit, const SampledSide& side) {
+  visit({"working_mode", "", "signs of B_jj"}, side.mode);
+  visit({"determinant_sign", "", "of det A"}, side.determinant_sign);
+  visit({"samples", "", "poses that are proved to lie on it"}, side.samples);
+  visit({"component_sizes", "", "poses in each set that is proved connected, falling"}, side.component_sizes);
+  visit({"largest_indices", "", "of each such set, the largest parallel index of its samples"},
+        side.largest_indices);
+  visit({"largest_share", "", "of its poses in the largest set"}, side.largest_share());
+}
+
+/// What there is in place of a map, with six degrees of freedom.
+struct SampledAspects {
+  std::shared_ptr<const PoseRoadmap> roadmap;  ///< null in an answer of no meaning alone
+  std::vector<SampledSide> sides;              ///< of it
+};
+
+/// Its fields.
+template <class Visit>
+void describe(Visit& visit, const SampledAspects& sampled) {
+  const PoseRoadmap* const roadmap = sampled.roadmap.get();
+  visit({"samples", "", "poses that were drawn"}, roadmap ? roadmap->poses().size() : 0);
+  visit({"seed", "", "that they were drawn with"}, roadmap ? roadmap->options().seed : 0U);
+  visit({"seconds", "s", "of the computation"}, roadmap ? roadmap->seconds() : 0.0);
+  visit({"proved_count", "",
+         "lower bound of the number of generalized aspects, proved: as many as there are `sides`"},
+        roadmap ? roadmap->proved_count() : 0);
+  visit({"components_at_most", "", "upper bound of the number of aspects that the samples lie in, proved"},
+        roadmap ? roadmap->component_count() : 0);
+  visit({"sides", "", "one for each working mode and sign of det A that holds a sample, as follows"},
+        sampled.sides);
+}
+
 /// The map.
 struct MapAnswer {
   std::shared_ptr<const AspectMap> map;               ///< null in an answer of no meaning alone
@@ -198,6 +243,7 @@ struct MapAnswer {
   std::optional<MapBasins> basins;                    ///< where measured
   std::optional<std::vector<Neighbours>> neighbours;  ///< where asked for
   std::optional<LegIndex> neighbours_not_across;      ///< whose joint is held
+  std::optional<SampledAspects> sampled;              ///< in place of all but the task space
 
   std::optional<std::vector<PairBottleneck>> bottlenecks() const;  ///< of `unresolved`, in that order
 };
@@ -207,6 +253,7 @@ template <class Visit>
 void describe(Visit& visit, const MapAnswer& answer) {
   const bool has_basins = answer.basins && !answer.basins->basins.empty();
   visit({"task_space", "", "`T1`, `T2`, `SE2`, `T3`, `SO3` or `SE3`"}, answer.task_space);
+  if (answer.sampled) return describe(visit, *answer.sampled);
   visit({"slice", "",
          "`held`: coordinates or the joint with their values, `free`: names of the others, `axis`: in the "
          "base, "
@@ -271,11 +318,14 @@ void describe(Visit& visit, const MapAnswer& answer) {
         answer.neighbours_not_across);
 }
 
-/// Computes it, or takes it from a file. With six degrees of freedom there is one of a slice alone.
+/// Computes it, or takes it from a file. With six degrees of freedom there are maps of slices alone, and a
+/// roadmap of all poses.
 Outcome<MapAnswer> answer(Session& session, const MapQuestion& question, const Control& control = {});
 
 /// What a map says by itself.
 MapAnswer answer_of(std::shared_ptr<const AspectMap> map);
+/// What a roadmap does.
+MapAnswer answer_of(std::shared_ptr<const PoseRoadmap> roadmap);
 
 /// Which aspects are joined through gates, and which are proved apart.
 struct GraphQuestion {

@@ -17,6 +17,7 @@ __all__ = [
     "NOT_MAPPED",
     "OUTSIDE",
     "Path",
+    "Roadmap",
     "Robot",
     "Sweep",
     "UNDECIDED",

@@ -12,6 +12,7 @@ from ._api import (
     InvalidDescription as InvalidDescription,
     Map as Map,
     Path as Path,
+    Roadmap as Roadmap,
     Robot as Robot,
     Sweep as Sweep,
     Workspace as Workspace,

@@ -3,12 +3,13 @@
 import csv
 import os
 import tempfile
-from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _core
 from ._core import InvalidDescription
+from ._asking import Asking, Progress
 from ._fields import documented
 from ._map import NOT_MAPPED, OUTSIDE, UNDECIDED, Map
 from ._results import (
@@ -20,27 +21,11 @@ from ._results import (
     Distances,
     Jacobians,
     Path,
+    Roadmap,
     Sweep,
     Workspace,
-    distances_of,
 )
-from ._text import (
-    Mode,
-    Ranges,
-    Values,
-    array,
-    count,
-    named,
-    number,
-    ranges_text,
-    real,
-    refused,
-    values_text,
-    varied_text,
-    words_text,
-)
-
-Progress = Optional[Callable[[float], Any]]
+from ._text import Mode, Ranges, Values, array, count, named, real, refused, varied_text
 
 
 def robots() -> List[str]:
@@ -57,7 +42,7 @@ def load(robot: "Union[str, os.PathLike]", config: "Union[None, str, os.PathLike
     return Robot(*loaded)
 
 
-class Robot:
+class Robot(Asking):
     """A fully parallel robot; `load` makes one. Immutable.
 
     Below, k is the number of `coordinates` of a pose, and legs that of the `legs`. Where a question takes `poses`, these
@@ -134,7 +119,7 @@ class Robot:
     def describe(self) -> Dict[str, Any]:
         """What is recognised in the description, as of `aspects describe`, of a robot as it was loaded: legs, home pose,
         workspace, limits of all joints. Points and poses are arrays."""
-        return self._core.describe({}, None)
+        return self._core.ask("describe", {}, None)
 
     def constrained(
         self,
@@ -145,9 +130,8 @@ class Robot:
     ) -> "Robot":
         """The same robot with these kinds of constraints alone, without those, with margins such as
         {"parallel": 0.05, "serial": 0.1}, and for lengths within this share of their size."""
-        only, without = words_text(constraint), words_text(no_constraint)
-        share = "" if tolerance is None else number(tolerance)
-        return Robot(self._core.constrained(only, without, values_text(margin), share), self.notes)
+        keywords = {"constraint": constraint, "no_constraint": no_constraint, "margin": margin, "tolerance": tolerance}
+        return Robot(self._core.constrained(keywords), self.notes)
 
     def with_lengths(self, lengths: "Mapping[str, float]", untied: bool = False) -> "Robot":
         """The same robot with other `lengths` [m]. What a symmetry of the robot takes to each other follows, unless
@@ -162,12 +146,12 @@ class Robot:
 
     def configurations(self, pose: "np.typing.ArrayLike") -> List[Configuration]:
         """All inverse solutions of a pose of shape (k,), within the limits: one a working mode at most."""
-        found = self._core.configurations({"pose": pose}, None)["solutions"]
+        found = self._core.ask("inverse", {"pose": pose}, None)["solutions"]
         return [Configuration(**each) for each in found if each["status"] == "solved"]
 
     def direct(self, joints: "np.typing.ArrayLike") -> DirectSolutions:
         """All poses that values of the actuated joints can hold, of shape (legs,), whatever the limits."""
-        return DirectSolutions(len(self.coordinates), **self._core.direct({"joints": joints}, None))
+        return DirectSolutions(len(self.coordinates), **self._core.ask("direct", {"joints": joints}, None))
 
     def jacobian(
         self,
@@ -177,7 +161,7 @@ class Robot:
     ) -> Jacobians:
         """How the platform and the actuated joints move each other, as of `aspects jacobian`: at a pose of shape (k,) in
         each working mode, or at joint values of shape (legs,) in each direct solution. Matrices have shape (legs, legs)."""
-        return Jacobians(**self._core.jacobian({"pose": pose, "joints": joints, "mode": mode}, None))
+        return Jacobians(**self._core.ask("jacobian", {"pose": pose, "joints": joints, "mode": mode}, None))
 
     def indices(self, poses: "np.typing.ArrayLike", mode: Mode) -> Tuple[np.ndarray, np.ndarray]:
         """The parallel index of each pose, of shape () or (n,), and the serial indices of the legs, (legs,) or (n, legs).
@@ -185,21 +169,15 @@ class Robot:
         parallel, serial = self._core.indices(array("poses", poses), mode)
         return _like(poses, parallel), _like(poses, serial)
 
-    def map(self, resolution: Optional[float] = None, *, progress: Progress = None, **options: Any) -> Map:
-        """The aspects, with proofs, as of `aspects map`; with six degrees of freedom a `slice` is needed. `progress` is
-        called with the share that is done, 0 to 1; what it raises ends the computation, as Ctrl-C does."""
-        return Map(self._core.map({"resolution": resolution, **options}, progress))
+    def map(self, resolution: Optional[float] = None, *, progress: Progress = None, **options: Any) -> "Union[Map, Roadmap]":
+        """The aspects, with proofs, as of `aspects map`; with six degrees of freedom a roadmap, or a map of a `slice`. `progress`
+        is called with the share that is done, 0 to 1; what it raises ends the computation, as Ctrl-C does."""
+        found = self._core.map({"resolution": resolution, **options}, progress)
+        return Roadmap(**found) if isinstance(found, dict) else Map(found)
 
     def load_map(self, file: "Union[str, os.PathLike]", resolution: Optional[float] = None, **options: Any) -> Map:
         """The map that `Map.save` or `aspects map --save` wrote, if it is of this robot and these options of `map`."""
         return Map(self._core.load_map(os.fspath(file), {"resolution": resolution, **options}))
-
-    def distance(
-        self, pose: "np.typing.ArrayLike", mode: Optional[Mode] = None, *, progress: Progress = None, **options: Any
-    ) -> "Union[Distances, Tuple[Distances, ...]]":
-        """How far singularities and limits are from a pose, between a bound that is proved and a witness, as of `aspects
-        distance`: in a working mode, or without one in each. `Map.distance` asks a map that is there."""
-        return distances_of(self._core.distance({"pose": pose, "mode": mode, **options}, progress), mode)
 
     def distances(
         self,
@@ -219,7 +197,7 @@ class Robot:
     ) -> Check:
         """Whether the platform can follow these poses in a working mode at every time, proved, as of `aspects check --path`:
         times of shape (n,), rising [s], poses of shape (n, k), straight between them."""
-        return Check(**self._core.check(_times(times), array("poses", poses), {"mode": mode, **options}, progress))
+        return Check(**self._core.ask("check", {"path": (_times(times), array("poses", poses)), "mode": mode, **options}, progress))
 
     def check_joints(
         self,
@@ -233,8 +211,8 @@ class Robot:
     ) -> Check:
         """Whether the actuated joints can run through these values at every time, proved, as of `aspects check --trajectory`:
         times of shape (n,), q of shape (n, legs), straight between them."""
-        keywords = {"start_pose": start_pose, "start_sign": start_sign, **options}
-        return Check(**self._core.check_joints(_times(times), array("q", q), keywords, progress))
+        keywords = {"trajectory": (_times(times), array("q", q)), "start_pose": start_pose, "start_sign": start_sign, **options}
+        return Check(**self._core.ask("check", keywords, progress))
 
     def choose(
         self,
@@ -248,52 +226,20 @@ class Robot:
     ) -> Dict[str, Any]:
         """In which working modes a path can be done, the best first, as of `aspects choose --path`: times of shape (n,), poses
         of shape (n, k). A map tells aspects; by default one is made with one or two degrees of freedom."""
-        core = None if map is None else map._core  # pylint: disable=protected-access
-        return self._core.choose(_times(times), array("poses", poses), {"prefer": prefer, **options}, core, progress)
+        core = self._core if map is None else map._core  # pylint: disable=protected-access
+        if map is not None and not core.is_of(self._core):
+            raise refused("map is of another robot; give one that this robot's map() returned.")
+        return core.ask("choose", {"path": (_times(times), array("poses", poses)), "prefer": prefer, **options}, progress)
 
     def choose_region(self, region: Ranges, slice: "Optional[Values]" = None, progress: Progress = None) -> Dict[str, Any]:  # pylint: disable=redefined-builtin
         """In which working modes all of a box of poses lies in one aspect, as {"x": (-1, 1), "y": (0, 2)}, as of `aspects
         choose --region`."""
-        return self._core.choose(None, None, {"region": region, "slice": slice}, None, progress)
+        return self._core.ask("choose", {"region": region, "slice": slice}, progress)
 
     def locate(self, pose: "Optional[np.typing.ArrayLike]" = None, *, progress: Progress = None, **options: Any) -> Dict[str, Any]:
         """Which configurations a pose or values of the actuated joints can be, and which aspects hold them, as of `aspects
         locate`: in a map that is computed first. `Map.locate` asks a map that is there, of many poses."""
-        return self._core.locate({"pose": pose, **options}, progress)
-
-    def graph(self, *, progress: Progress = None, **options: Any) -> Dict[str, Any]:
-        """Which aspects are joined through gates, and which are proved apart, as of `aspects graph`: in a map that is
-        computed first, with six degrees of freedom over a roadmap. Poses of the answer are arrays."""
-        return self._core.graph(options, progress)
-
-    def connect(
-        self, start: "np.typing.ArrayLike", goal: "np.typing.ArrayLike", *, progress: Progress = None, **options: Any
-    ) -> Dict[str, Any]:
-        """Whether two poses lie in one aspect, by working mode, as of `aspects connect`. Poses of the answer are arrays."""
-        return self._core.connect({"start": start, "goal": goal, **options}, progress)
-
-    def plan(
-        self,
-        start: "np.typing.ArrayLike",
-        goal: "Optional[np.typing.ArrayLike]" = None,
-        start_mode: Optional[Mode] = None,
-        goal_mode: Optional[Mode] = None,
-        *,
-        progress: Progress = None,
-        **options: Any,
-    ) -> Path:
-        """A path that is proved, or a proof that there is none, as of `aspects plan`: in a map that is computed first, with
-        six degrees of freedom over a roadmap. `Map.plan` asks a map that is there."""
-        ends = {"start": start, "goal": goal, "start_mode": start_mode, "goal_mode": goal_mode}
-        return Path(**self._core.plan({**ends, **options}, progress))
-
-    def workspace(
-        self, shape: str, aspect: "Union[None, int, Sequence[int]]" = None, *, progress: Progress = None, **options: Any
-    ) -> List[Workspace]:
-        """The largest regular shape in each aspect, as of `aspects workspace`: in a map that is computed first.
-        `Map.workspace` asks a map that is there."""
-        answer = self._core.workspace({"shape": shape, "aspect": aspect, **options}, progress)
-        return [Workspace(**each) for each in answer["workspaces"]]
+        return self._core.ask("locate", {"pose": pose, **options}, progress)
 
     def sweep(
         self,
@@ -318,7 +264,7 @@ class Robot:
         report: some of "count", "measures", "clearance" and "workspace", this with `shape` as `Map.workspace` has it.
         file: rows are written there as they are done, and the same call goes on where it was stopped.
         """
-        texts = {"vary": varied_text(vary), "report": words_text(report), "sample": sample, "shard": shard}
+        texts = {"vary": varied_text(vary), "report": report, "sample": sample, "shard": shard}
         keywords = {"designs": designs, "resolution": resolution, "slice": slice, "mode": modes, "untied": untied}
         with tempfile.TemporaryDirectory() as folder:
             rows = os.fspath(file) if file is not None else os.path.join(folder, "sweep.csv")
@@ -330,31 +276,22 @@ class Robot:
     ) -> Dict[str, Any]:
         """Which poses of an aspect have the same actuated values, and where direct solutions meet, as of `aspects uniqueness`.
         Poses of the answer are arrays."""
-        return self._core.uniqueness({"slice": values_text(slice) or None, **options}, progress)
+        return self._core.ask("uniqueness", {"slice": slice or None, **options}, progress)
 
     def cusp_curves(self, over: "Union[str, Ranges]", progress: Progress = None) -> Dict[str, Any]:
         """The curves that cusps form while an actuated joint is held at each value of a range in turn [m or rad], as
         {"strut_1_joint": (10, 32)}, or by its name within its limits, as of `aspects uniqueness --cusps-over`. Of the
         `points` of a curve, in turn, there are arrays besides: `poses` (n, k) and `q` (n, legs)."""
-        answer = self.uniqueness(cusps_over=ranges_text(over), progress=progress)
+        answer = self.uniqueness(cusps_over=over, progress=progress)
         for curve in answer["cusp_curves"]:
             curve["poses"] = np.array([point["pose"] for point in curve["points"]])
             curve["q"] = np.array([point["actuated"] for point in curve["points"]])
         return answer
 
 
-documented(Robot.map, _core.map_question())
-documented(Robot.plan, _core.plan_question())
-documented(Robot.locate, _core.locate_question())
-documented(Robot.graph, _core.graph_question())
-documented(Robot.connect, _core.connect_question())
-documented(Robot.check, _core.check_question())
-documented(Robot.check_joints, _core.check_question())
-documented(Robot.choose, _core.choose_question())
-documented(Robot.distance, _core.distance_question())
-documented(Robot.jacobian, _core.jacobian_question())
-documented(Robot.uniqueness, _core.uniqueness_question())
-documented(Robot.workspace, _core.workspace_question())
+for _method in ("map", "locate", "check", "choose", "jacobian", "uniqueness"):
+    documented(getattr(Robot, _method), _method)
+documented(Robot.check_joints, "check")
 
 
 def read_sweep(file: "Union[str, os.PathLike]") -> Sweep:

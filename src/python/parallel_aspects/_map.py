@@ -2,13 +2,13 @@
 """Maps: the aspects of a robot."""
 import os
 from types import SimpleNamespace
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Sequence, Tuple, Union
 
 import numpy as np
 
-from . import _core
-from ._fields import documented
-from ._results import Aspect, Distances, Path, Workspace, distances_of
+from ._asking import Asking
+from ._fields import answer
+from ._results import Aspect
 from ._text import Mode, array, count, real
 
 UNDECIDED = 0  # closer to a singularity or a limit than the map can tell
@@ -16,7 +16,7 @@ OUTSIDE = -1  # proved to lie in no aspect of the working mode
 NOT_MAPPED = -2  # outside the region of the map
 
 
-class Map(SimpleNamespace):
+class Map(Asking, SimpleNamespace):
     """The aspects of a robot, certified; `Robot.map` makes one. Below, k is the number of coordinates of a pose, and d that
     of `coordinates`, over which the map is made. The aspect with the id i is `aspects[i - 1]`; `unresolved` has shape (n, 2).
     """
@@ -48,49 +48,6 @@ class Map(SimpleNamespace):
     def undecided(self, mode: Mode) -> np.ndarray:
         """The boxes of a working mode that are neither in an aspect nor proved to meet none, shape (n, d, 2)."""
         return self._core.undecided(mode)
-
-    def graph(self, *, progress: Optional[Callable[[float], Any]] = None, **options: Any) -> Dict[str, Any]:
-        """Which of these aspects are joined through gates, and which are proved apart, as of `Robot.graph`."""
-        return self._core.graph(options, progress)
-
-    def workspace(
-        self,
-        shape: str,
-        aspect: "Union[None, int, Sequence[int]]" = None,
-        *,
-        progress: Optional[Callable[[float], Any]] = None,
-        **options: Any,
-    ) -> List[Workspace]:
-        """The largest regular shape in each of these aspects, by default in all, as of `aspects workspace`. Ranges and values
-        are texts or mappings, as {"phi": (-0.2, 0.2)} and {"x": 4.5}."""
-        answer = self._core.workspace({"shape": shape, "aspect": aspect, **options}, progress)
-        return [Workspace(**each) for each in answer["workspaces"]]
-
-    def connect(
-        self, start: "np.typing.ArrayLike", goal: "np.typing.ArrayLike", *, progress: Optional[Callable[[float], Any]] = None, **options: Any
-    ) -> Dict[str, Any]:
-        """Whether two poses lie in one aspect, by working mode, as of `aspects connect`; this map is asked. Poses of the answer are arrays."""
-        return self._core.connect({"start": start, "goal": goal, **options}, progress)
-
-    def distance(
-        self, pose: "np.typing.ArrayLike", mode: Optional[Mode] = None, *, progress: Optional[Callable[[float], Any]] = None, **options: Any
-    ) -> "Union[Distances, Tuple[Distances, ...]]":
-        """How far singularities and limits are from a pose, as of `Robot.distance`; this map is asked, for tighter bounds."""
-        return distances_of(self._core.distance({"pose": pose, "mode": mode, **options}, progress), mode)
-
-    def plan(
-        self,
-        start: "np.typing.ArrayLike",
-        goal: "Optional[np.typing.ArrayLike]" = None,
-        start_mode: Optional[Mode] = None,
-        goal_mode: Optional[Mode] = None,
-        *,
-        progress: Optional[Callable[[float], Any]] = None,
-        **options: Any,
-    ) -> Path:
-        """A path through these aspects that is proved, or a proof that there is none, as of `aspects plan`."""
-        ends = {"start": start, "goal": goal, "start_mode": start_mode, "goal_mode": goal_mode}
-        return Path(**self._core.plan({**ends, **options}, progress))
 
     def save(self, file: "Union[str, os.PathLike]") -> None:
         """Writes it for `Robot.load_map` and `aspects map --load`."""
@@ -124,9 +81,4 @@ class Map(SimpleNamespace):
         return plot_map(self, modes, level, cells, axes)
 
 
-documented(Map, _core.map_answer())
-documented(Map.plan, _core.plan_question())
-documented(Map.graph, _core.graph_question())
-documented(Map.connect, _core.connect_question())
-documented(Map.distance, _core.distance_question())
-documented(Map.workspace, _core.workspace_question())
+answer(Map)

@@ -7,17 +7,15 @@ from typing import Any, Dict, List, Sequence, Tuple, Union
 
 import numpy as np
 
-from . import _core
-from ._fields import documented
+from ._fields import answer
 
 
+@answer
 class Configuration(SimpleNamespace):
     """A pose in one working mode."""
 
 
-documented(Configuration, _core.inverse_answer())
-
-
+@answer
 class DirectSolutions(SimpleNamespace):
     """The poses that given joint values can hold, by falling det A.
 
@@ -35,23 +33,25 @@ class DirectSolutions(SimpleNamespace):
         )
 
 
-documented(DirectSolutions, _core.direct_answer())
-
-
+@answer
 class Aspect(SimpleNamespace):
     """A connected set free of singularities, proved; it is part of one generalized aspect."""
 
 
-documented(Aspect, _core.aspect_answer())
+@answer
+class Roadmap(SimpleNamespace):
+    """What there is in place of a map with six degrees of freedom; each of `sides` has its fields, too."""
+
+    def __init__(self, sides: Sequence[Dict[str, Any]], **fields: Any) -> None:
+        super().__init__(sides=tuple(SimpleNamespace(**each) for each in sides), **fields)
 
 
+@answer
 class BoundaryDistance(SimpleNamespace):
     """How far singularities or limits of one kind are, as the root mean square of how far the anchors move [m]."""
 
 
-documented(BoundaryDistance, _core.distance_to())
-
-
+@answer
 class Distances(SimpleNamespace):
     """The distances of one configuration; each a `BoundaryDistance`."""
 
@@ -60,22 +60,18 @@ class Distances(SimpleNamespace):
         super().__init__(**{**fields, **kinds})
 
 
-documented(Distances, _core.distance_answer())
-
-
-def distances_of(answer: Dict[str, Any], mode: Any) -> "Union[Distances, Tuple[Distances, ...]]":
+def distances_of(found: Dict[str, Any], mode: Any) -> "Union[Distances, Tuple[Distances, ...]]":
     """In that mode, or in every one."""
-    found = tuple(Distances(**each) for each in answer["answers"])
-    return found if mode is None else found[0]
+    distances = tuple(Distances(**each) for each in found["answers"])
+    return distances if mode is None else distances[0]
 
 
+@answer
 class Jacobian(SimpleNamespace):
     """The matrices of one configuration."""
 
 
-documented(Jacobian, _core.jacobian_at())
-
-
+@answer
 class Jacobians(SimpleNamespace):
     """How the platform and the actuated joints move each other; each of `configurations` is a `Jacobian`."""
 
@@ -83,9 +79,7 @@ class Jacobians(SimpleNamespace):
         super().__init__(configurations=tuple(Jacobian(**each) for each in configurations), **fields)
 
 
-documented(Jacobians, _core.jacobian_answer())
-
-
+@answer
 class Check(SimpleNamespace):
     """What is proved of a trajectory.
 
@@ -93,9 +87,7 @@ class Check(SimpleNamespace):
     """
 
 
-documented(Check, _core.check_answer())
-
-
+@answer
 class Path(SimpleNamespace):
     """A path, each segment of which is proved free of singularities, or why there is none.
 
@@ -109,14 +101,9 @@ class Path(SimpleNamespace):
         return self.answer == "yes"
 
 
-documented(Path, _core.plan_answer())
-
-
+@answer
 class Workspace(SimpleNamespace):
     """The largest regular shape in an aspect."""
-
-
-documented(Workspace, _core.workspace_answer())
 
 
 @dataclass(frozen=True, eq=False)

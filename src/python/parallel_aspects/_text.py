@@ -65,25 +65,6 @@ def number(value: float) -> str:
     return repr(real("A value", value))
 
 
-def ranges_text(ranges: "Union[None, Ranges]") -> str:
-    """ "x=-1:1 y=0:2" for {"x": (-1, 1), "y": (0, 2)}."""
-    if ranges is None or isinstance(ranges, str):
-        return ranges or ""
-    return " ".join(f"{name}={':'.join(map(number, listed(ends)))}" for name, ends in named(ranges))
-
-
-def values_text(values: "Union[None, Values]") -> str:
-    """ "x=1 y=2" for {"x": 1, "y": 2}."""
-    if values is None or isinstance(values, str):
-        return values or ""
-    return " ".join(f"{name}={number(value)}" for name, value in named(values))
-
-
-def words_text(words: "Union[None, str, Iterable[str]]") -> str:
-    """ "count,measures" for ("count", "measures")."""
-    return words or "" if words is None or isinstance(words, str) else ",".join(words)
-
-
 def varied_text(vary: "Union[str, Mapping[str, Union[float, Sequence[float]]]]") -> str:
     """ "crank_1=6:8:3 rod=1" for {"crank_1": (6, 8, 3), "rod": 1}; the third is how many values there are."""
     if isinstance(vary, str):

@@ -19,10 +19,12 @@ Report report_bounds(const AspectMap& map, bool verbose = false);
 /// and fields of their objects.
 Report report_constraints(const Manipulator& manipulator, bool verbose = false);
 
-/// An answer: its fields, and the text with the constraints below it.
+/// An answer: its fields, and the text with the constraints below it, where `verbose` with every name.
 template <class Answer>
-Report constrained_report(const Manipulator& robot, const Answer& answer, const std::string& text) {
-  Report constraints = report_constraints(robot), report{answer_json(robot, answer), text + constraints.text};
+Report constrained_report(const Manipulator& robot, const Answer& answer, const std::string& text,
+                          bool verbose = false) {
+  const Report constraints = report_constraints(robot, verbose);
+  Report report{answer_json(robot, answer), text + constraints.text};
   report.json["mechanism"] = robot.name();
   report.json.update(constraints.json);
   return report;

@@ -5,7 +5,6 @@
 #include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/connectivity.h"
-#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "tools/report/report.h"
 
@@ -37,7 +36,7 @@ Report report_map(const ask::MapAnswer& answer, const MapReportOptions& options)
 std::string neighbours_text(const ask::MapAnswer& answer);
 
 /// `aspects map` with six degrees of freedom: samples and components by working mode and sign of det A.
-Report report_roadmap(const PoseRoadmap& roadmap, bool verbose = false);
+Report report_roadmap(const Manipulator& robot, const ask::MapAnswer& answer, bool verbose);
 
 /// `aspects describe`: what was recognised in the description of the robot; where `verbose`, with every name
 /// in its notes.

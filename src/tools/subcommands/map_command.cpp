@@ -59,39 +59,16 @@ std::vector<ask::NamedRange> find_region(const MapSection& section, TaskSpace sp
   return region ? ask::ranges_of(names, *region) : std::vector<ask::NamedRange>();
 }
 
-/// Where there is no map of boxes, what is of these alone.
+/// With six degrees of freedom, where there is a roadmap in place of a map, what is of boxes alone.
 void refuse_options_of_boxes(const MapArguments& arguments, const Manipulator& robot, const Pose& home,
                              Problems& problems) {
-  std::vector<std::string> given;
-  for (const char* field : {"resolution", "mode", "load", "save", "extra_levels", "index"})
-    if (!arguments.texts.at(field).empty()) given.push_back(option_name(field));
-  for (const auto& [field, is_given] : arguments.flags)
-    if (is_given) given.push_back(option_name(field));
-  if (arguments.without_limits) given.emplace_back("--without-limits");
-  if (!arguments.basins_file.empty()) given.emplace_back("--persistence-picture");
-  const std::string boxes = " for maps of boxes, and in SE3 only slices have these; give ";
-  if (given.size() == 1)
-    problems.push_back(given.front() + " is" + boxes + "--slice, or leave it out.");
-  else if (!given.empty())
-    problems.push_back(enumerated(given) + " are" + boxes + "--slice, or leave them out.");
+  const std::string boxes = " is for maps of boxes, and in SE3 only slices have these; give ";
+  if (arguments.without_limits) problems.push_back("--without-limits" + boxes + "--slice, or leave it out.");
+  if (!arguments.basins_file.empty())
+    problems.push_back("--persistence-picture" + boxes + "--slice, or leave it out.");
   if (!arguments.picture_file.empty())
-    problems.push_back("--picture is" + boxes + "one that leaves two coordinates free, such as --slice " +
+    problems.push_back("--picture" + boxes + "one that leaves two coordinates free, such as --slice " +
                        example_of_plane(robot, home) + ".");
-}
-
-// With six degrees of freedom there is a roadmap in place of a map.
-Report roadmap_report(const std::shared_ptr<const Manipulator>& robot, const Pose& home,
-                      const MapArguments& arguments, const ask::MapQuestion& question, Problems problems,
-                      const Surroundings& surroundings) {
-  RoadmapOptions options = question.roadmap.options({});
-  if (question.threads) options.threads = question.threads->value;
-  ask::ProblemList found;
-  if (!question.region.empty())
-    options.region = ask::box_of("region", {"x", "y", "z"}, question.region, found);
-  for (const std::string& each : texts_of(found, option_name)) problems.push_back(each);
-  refuse_options_of_boxes(arguments, *robot, home, problems);
-  if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  return report_roadmap(*compute_roadmap(robot, options, surroundings), arguments.verbose);
 }
 
 /// What to do for a picture of two coordinates, where the map has another number of them.
@@ -113,17 +90,22 @@ void draw(const std::shared_ptr<const AspectMap>& map, const std::string& file) 
   write_picture_file(file, draw_plot(map, options));
 }
 
+bool is_roadmap(const Manipulator& robot, const ask::MapQuestion& question) {
+  return robot.task_space() == TaskSpace::SE3 && !question.source.hold;
+}
+
 /// What is asked, by the command line and else by the robot's file.
 ask::MapQuestion read(const MapArguments& arguments, const Manipulator& robot, const MapSection& section,
                       Problems& problems) {
   auto question = read_question<ask::MapQuestion>(robot, arguments.texts, problems, arguments.flags);
   const MapConfig& config = section.config;
-  if (!question.source.resolution) question.source.resolution = config.resolution;
   if (!question.threads && config.threads) question.threads.emplace().value = *config.threads;
-  if (!question.extra_levels && config.extra_levels)
-    question.extra_levels.emplace().value = static_cast<unsigned>(*config.extra_levels);
   if (question.region.empty() && problems.empty())
     question.region = find_region(section, robot.task_space(), question.source.hold, problems);
+  if (is_roadmap(robot, question)) return question;
+  if (!question.source.resolution) question.source.resolution = config.resolution;
+  if (!question.extra_levels && config.extra_levels)
+    question.extra_levels.emplace().value = static_cast<unsigned>(*config.extra_levels);
   if (!question.index) question.index = ParallelIndex::normalised;
   return question;
 }
@@ -214,6 +196,7 @@ Report map_report(const std::shared_ptr<const Manipulator>& robot, const MapArgu
                   ask::MapQuestion question, const Surroundings& surroundings) {
   question.persistence = question.persistence || !arguments.basins_file.empty();
   const ask::MapAnswer answer = asked(robot, question, surroundings);
+  if (answer.sampled) return report_roadmap(*robot, answer, arguments.verbose);
   const AspectMap& map = *answer.map;
   if (!arguments.picture_file.empty()) draw(answer.map, arguments.picture_file);
   Report report = report_map(answer, {arguments.all_aspects, arguments.verbose});
@@ -235,11 +218,13 @@ Report report_of(const MapArguments& arguments, const Surroundings& surroundings
   const Pose home = mechanism->assembled().pose;
   problems = {};
   const ask::MapQuestion question = read(arguments, *robot, section, problems);
-  if (robot->task_space() == TaskSpace::SE3 && !question.source.hold)
-    return roadmap_report(robot, home, arguments, question, std::move(problems), surroundings);
-  check_picture(arguments, *robot, home, question.source.hold, problems);
+  if (is_roadmap(*robot, question))
+    refuse_options_of_boxes(arguments, *robot, home, problems);
+  else
+    check_picture(arguments, *robot, home, question.source.hold, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   Report report = map_report(robot, arguments, question, surroundings);
+  if (is_roadmap(*robot, question)) return report;
   for (const Note& note : mechanism->notes_in_pieces())
     if (note.is_on_limits_left_out) report.text += "\nnote: " + note.text() + "\n";
   return report;

@@ -33,9 +33,10 @@ void check_trajectory_file(const std::string& file, Problems& problems) {
 
 ask::PlanQuestion read(const PlanArguments& arguments, const Manipulator& robot) {
   Problems problems;
+  ask::ProblemList bounds;
   if (!arguments.texts.at("around_cusp").empty() && robot.task_space() == TaskSpace::SE2)
-    refuse_other_bounds(arguments.constraints, robot, problems);
-  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+    refuse_other_bounds(constraint_choice(robot, arguments.constraints), robot, bounds);
+  if (!bounds.empty()) refuse(bounds);
   auto question = read_question<ask::PlanQuestion>(robot, arguments.texts, problems);
   check_trajectory_file(arguments.trajectory_file, problems);
   if (!arguments.trajectory_file.empty()) question.timed_for = "{trajectory}";

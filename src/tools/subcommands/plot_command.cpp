@@ -20,10 +20,7 @@
 namespace parallel_aspects::tools {
 namespace {
 
-struct PlotArguments {
-  RobotChoice robot;
-  QuestionTexts map;
-  ConstraintArguments constraints;
+struct PlotArguments : QuestionArguments {
   std::string file, section, modes, index;
   bool each_aspect = false;
   bool leaves = false;
@@ -55,7 +52,7 @@ PlotSection parse_section(const PlotArguments& arguments, const Manipulator& man
   if (manipulator.task_space() == TaskSpace::SO3) return parse_torsion(arguments.section, problems);
   PlotSection section;
   section.slice =
-      parse_slice("--section", manipulator, arguments.map.at("slice") + " " + arguments.section, problems);
+      parse_slice("--section", manipulator, arguments.texts.at("slice") + " " + arguments.section, problems);
   if (problems.empty() && section.slice->dimension() != 2)
     problems.push_back("--section '" + arguments.section + "' leaves " +
                        std::to_string(section.slice->dimension()) +
@@ -147,7 +144,7 @@ Report report_of(const PlotArguments& arguments, const Surroundings& surrounding
   const auto mechanism = load_robot(arguments.robot, std::move(problems));
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   problems.clear();
-  const auto source = read_question<ask::MapSource>(*manipulator, arguments.map, problems);
+  const auto source = read_question<ask::MapSource>(*manipulator, arguments.texts, problems);
   options.modes = parse_modes("--mode", *manipulator, arguments.modes, problems);
   if (problems.empty())
     check_dimension(arguments, *manipulator, mechanism->assembled().pose, source.hold, problems);
@@ -173,28 +170,22 @@ Report report_of(const PlotArguments& arguments, const Surroundings& surrounding
 
 Subcommand plot_subcommand() {
   const auto arguments = std::make_shared<PlotArguments>();
-  std::vector<Option> options = robot_options(arguments->robot);
-  options.push_back(
-      {"-o", "FILE", "The picture: an .svg or a .png", &arguments->file, true, Words::one, FileUse::written});
-  for (const Option& option : question_options<ask::MapSource>(arguments->map)) options.push_back(option);
-  options.push_back(
-      {"--section", "\"z=0.3\"",
-       "Cut a map of three coordinates: what is held, with its value [m or rad]; in SO3 \"torsion=0\"",
-       &arguments->section, false, Words::assignments});
-  options.push_back({"--mode", "\"(+,-)\"", "Draw these working modes only, as signs of B_jj",
-                     &arguments->modes, false, Words::signs});
-  options.push_back(
-      {"--index", "NAME",
-       "Draw lines of equal index: parallel, or conditioning for isoconditioning lines (the inverse "
-       "condition number)",
-       &arguments->index});
-  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
-  return {"plot",
-          "Draw the aspects in the workspace and in joint space, as SVG or PNG",
-          options,
-          [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); },
-          {{"--each-aspect", "A figure for each aspect, not for each working mode", &arguments->each_aspect},
-           {"--leaves", "Draw the boxes of the map, with those that are undecided", &arguments->leaves}}};
+  return question_subcommand<ask::MapSource>(
+      "plot", "Draw the aspects in the workspace and in joint space, as SVG or PNG", arguments, report_of,
+      {{"-o", "FILE", "The picture: an .svg or a .png", &arguments->file, true, Words::one,
+        FileUse::written}},
+      {{"--section", "\"z=0.3\"",
+        "Cut a map of three coordinates: what is held, with its value [m or rad]; in SO3 \"torsion=0\"",
+        &arguments->section, false, Words::assignments},
+       {"--mode", "\"(+,-)\"", "Draw these working modes only, as signs of B_jj", &arguments->modes, false,
+        Words::signs},
+       {"--index", "NAME",
+        "Draw lines of equal index: parallel, or conditioning for isoconditioning lines (the inverse "
+        "condition "
+        "number)",
+        &arguments->index}},
+      {{"--each-aspect", "A figure for each aspect, not for each working mode", &arguments->each_aspect},
+       {"--leaves", "Draw the boxes of the map, with those that are undecided", &arguments->leaves}});
 }
 
 }  // namespace parallel_aspects::tools

@@ -20,11 +20,7 @@ namespace {
 
 constexpr unsigned most_threads = 1024;
 
-struct SweepChoice {
-  RobotChoice robot;
-  ConstraintArguments constraints;
-  QuestionTexts texts;
-  QuestionFlags flags;
+struct SweepChoice : QuestionArguments {
   std::string threads, file;  // empty where not given
 };
 
@@ -74,23 +70,10 @@ Report report_of(const SweepChoice& choice, const Surroundings& surroundings) {
   const auto arguments = read_question<SweepArguments>(*robot, choice.texts, problems, choice.flags);
   Shard shard;
   Problems more;
-  const SweepPlan plan = plan_sweep(robot, arguments, shard, more);
+  const SweepPlan plan = plan_sweep(robot, arguments, option_name, shard, more);
   problems.insert(problems.end(), more.begin(), more.end());
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return sweep(plan, shard, choice.file, threads, surroundings);
-}
-
-std::vector<Option> options_of(SweepChoice& choice) {
-  std::vector<Option> options = robot_options(choice.robot);
-  options.push_back({"-o", "FILE", "Rows as CSV; where it is there, the same command goes on with it",
-                     &choice.file, true, Words::one, FileUse::written});
-  for (Option option : question_options<SweepArguments>(choice.texts)) {
-    option.required = option.name == "--vary";
-    options.push_back(option);
-  }
-  options.push_back({"--threads", "N", "Designs at a time; by default one a core", &choice.threads});
-  for (const Option& option : constraint_options(choice.constraints)) options.push_back(option);
-  return options;
 }
 
 /// A file a line, with the blanks in its name; or one line of files.
@@ -114,10 +97,14 @@ Report report_of(const MergeArguments& arguments) {
 
 Subcommand sweep_subcommand() {
   const auto choice = std::make_shared<SweepChoice>();
-  return {"sweep", "Map many designs, with other lengths of links and places of joints, a row each",
-          options_of(*choice),
-          [choice](const Surroundings& surroundings) { return report_of(*choice, surroundings); },
-          question_flags<SweepArguments>(choice->flags)};
+  Subcommand made = question_subcommand<SweepArguments>(
+      "sweep", "Map many designs, with other lengths of links and places of joints, a row each", choice,
+      report_of,
+      {{"-o", "FILE", "Rows as CSV; where it is there, the same command goes on with it", &choice->file, true,
+        Words::one, FileUse::written}},
+      {{"--threads", "N", "Designs at a time; by default one a core", &choice->threads}});
+  for (Option& option : made.options) option.required = option.required || option.name == "--vary";
+  return made;
 }
 
 Subcommand merge_subcommand() {

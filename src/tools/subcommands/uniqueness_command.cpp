@@ -17,17 +17,15 @@
 namespace parallel_aspects::tools {
 namespace {
 
-struct UniquenessArguments {
-  RobotChoice robot;
-  QuestionTexts texts;
+struct UniquenessArguments : QuestionArguments {
   std::string picture, mode;  // empty where not given
-  ConstraintArguments constraints;
 };
 
 /// Constraints that the answer would not be within, and limits that were left out though struts or slides
 /// need some.
-void check_bounds(const ConstraintArguments& chosen, const Manipulator& described, const Manipulator& robot,
-                  const ask::UniquenessQuestion& question, Problems& problems) {
+ask::ProblemList problems_of_bounds(const ask::ConstraintChoice& chosen, const Manipulator& described,
+                                    const Manipulator& robot, const ask::UniquenessQuestion& question) {
+  ask::ProblemList problems;
   const TaskSpace space = robot.task_space();
   if (space == TaskSpace::SE2 || (space == TaskSpace::SO3 && question.slice))
     refuse_other_bounds(chosen, robot, problems);
@@ -37,11 +35,14 @@ void check_bounds(const ConstraintArguments& chosen, const Manipulator& describe
   const bool left_out = described.constraint_kinds()[limits] && !robot.constraint_kinds()[limits];
   if (!problems.empty() || space != TaskSpace::SE2 || question.slice || question.cusps_over || !left_out ||
       has_elbows(robot) || !has_lengths_without_limit(robot))
-    return;
-  problems.push_back("All poses of '" + robot.name() + "' are looked at within limits of its joints, and " +
-                     (chosen.without.empty() ? "--constraint" : "--no-constraint") +
-                     " takes these out; keep actuated_limits, or give --slice " +
-                     example_of_held_joint(described) + ".");
+    return problems;
+  const std::string field = chosen.without.empty() ? "{constraint}" : "{no_constraint}";
+  problems.push_back(
+      {ask::ProblemKind::together, "slice",
+       "All poses of '" + ask::given(robot.name()) + "' are looked at within limits of its joints, and " +
+           field + " takes these out",
+       "keep actuated_limits, or give {slice} " + ask::given(example_of_held_joint(described))});
+  return problems;
 }
 
 /// The working mode of the poses of the picture; nothing where none was given.
@@ -79,8 +80,9 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
   check_picture_file("--picture", arguments.picture, problems);
   const auto question = read_question<ask::UniquenessQuestion>(*robot, arguments.texts, problems);
   throw_any(problems);
-  check_bounds(arguments.constraints, *described, *robot, question, problems);
-  throw_any(problems);
+  const auto bounds =
+      problems_of_bounds(constraint_choice(*robot, arguments.constraints), *described, *robot, question);
+  if (!bounds.empty()) refuse(bounds);
   const auto mode = check_picture(arguments, *robot, question, problems);
   for (const std::string& each : texts_of(problems_of(*robot, question), option_name))
     problems.push_back(each);
@@ -103,22 +105,18 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
 
 Subcommand uniqueness_subcommand() {
   const auto arguments = std::make_shared<UniquenessArguments>();
-  std::vector<Option> options = robot_options(arguments->robot);
-  for (const Option& option : question_options<ask::UniquenessQuestion>(arguments->texts))
-    options.push_back(option);
-  options.push_back({"--picture", "FILE",
-                     "Draw the poses of the slice and its actuated values, with singular curves, cusps and "
-                     "numbers of solutions, or the curves of cusps, as SVG or PNG",
-                     &arguments->picture, false, Words::one, FileUse::written});
-  options.push_back({"--mode", "\"(-,-,-)\"",
-                     "Working mode of the poses of the picture, as signs of B_jj; by default that with the "
-                     "largest components",
-                     &arguments->mode, false, Words::signs});
-  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
-  return {"uniqueness",
-          "Tell which poses of an aspect have the same actuated values, and where direct solutions meet",
-          options,
-          [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); }};
+  return question_subcommand<ask::UniquenessQuestion>(
+      "uniqueness",
+      "Tell which poses of an aspect have the same actuated values, and where direct solutions meet",
+      arguments, report_of, {},
+      {{"--picture", "FILE",
+        "Draw the poses of the slice and its actuated values, with singular curves, cusps and numbers of "
+        "solutions, or the curves of cusps, as SVG or PNG",
+        &arguments->picture, false, Words::one, FileUse::written},
+       {"--mode", "\"(-,-,-)\"",
+        "Working mode of the poses of the picture, as signs of B_jj; by default that with the largest "
+        "components",
+        &arguments->mode, false, Words::signs}});
 }
 
 }  // namespace parallel_aspects::tools

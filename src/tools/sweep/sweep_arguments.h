@@ -62,9 +62,10 @@ void describe(Visit& visit, SweepArguments& arguments) {
   describe(visit, arguments.shape);
 }
 
-/// All designs of this robot, and which part of them. Where there are problems it is of no meaning.
-SweepPlan plan_sweep(std::shared_ptr<const Manipulator> robot, const SweepArguments& arguments, Shard& shard,
-                     Problems& problems);
+/// All designs of this robot, and which part of them. Where there are problems, which write fields by `name`,
+/// it is of no meaning.
+SweepPlan plan_sweep(std::shared_ptr<const Manipulator> robot, const SweepArguments& arguments,
+                     const ask::FieldName& name, Shard& shard, Problems& problems);
 
 }  // namespace parallel_aspects::tools
 

@@ -22,13 +22,14 @@ constexpr int row_revision = 1;
 
 constexpr int row_digits = 12;
 
-std::optional<VariedParameter> parse_word(const std::string& word, SweepSample sample, Problems& problems) {
+std::optional<VariedParameter> parse_word(const std::string& option, const std::string& word,
+                                          SweepSample sample, Problems& problems) {
   const std::size_t equals = word.find('=');
   const std::vector<std::string> parts =
       equals == std::string::npos ? std::vector<std::string>() : split_at(':', word.substr(equals + 1));
   const std::size_t most = sample == SweepSample::grid ? 3 : 2;
   if (equals == 0 || parts.empty() || parts.size() > most || (parts.size() == 2 && most == 3)) {
-    problems.push_back("--vary has '" + word +
+    problems.push_back(option + " has '" + word +
                        "'; give a parameter with a value, such as rod=1, or a range, " +
                        (most == 3 ? "with the number of its values, such as crank_1=0.2:0.4:21."
                                   : "such as crank_1=0.2:0.4."));
@@ -36,18 +37,18 @@ std::optional<VariedParameter> parse_word(const std::string& word, SweepSample s
   }
   VariedParameter varied;
   varied.name = word.substr(0, equals);
-  const std::string option = "--vary " + varied.name;
+  const std::string named = option + " " + varied.name;
   const std::size_t known = problems.size();
   const auto number = [&](const std::string& text) {
-    const auto values = parse_numbers(option, text, {"value"}, problems);
+    const auto values = parse_numbers(named, text, {"value"}, problems);
     return values.empty() ? 0.0 : values.front();
   };
   varied.lower = number(parts.front());
   varied.upper = parts.size() > 1 ? number(parts[1]) : varied.lower;
-  if (parts.size() > 2) varied.count = parse_count(option, parts[2], most_designs, problems);
+  if (parts.size() > 2) varied.count = parse_count(named, parts[2], most_designs, problems);
   const bool is_single = sample == SweepSample::grid && varied.count == 1 && varied.upper > varied.lower;
   if (problems.size() == known && (varied.upper < varied.lower || varied.count == 0 || is_single))
-    problems.push_back("--vary has '" + word +
+    problems.push_back(option + " has '" + word +
                        "'; the lower end comes first, and a range has two values or more.");
   return varied;
 }
@@ -90,12 +91,13 @@ std::string text_of(const DesignQuestion& question) {
 
 }  // namespace
 
-std::vector<VariedParameter> parse_varied(const std::string& text, SweepSample sample, Problems& problems) {
+std::vector<VariedParameter> parse_varied(const std::string& option, const std::string& text,
+                                          SweepSample sample, Problems& problems) {
   std::vector<VariedParameter> varied;
   for (const std::string& word : words_of_list(text))
-    if (const auto parameter = parse_word(word, sample, problems)) varied.push_back(*parameter);
+    if (const auto parameter = parse_word(option, word, sample, problems)) varied.push_back(*parameter);
   if (varied.empty() && problems.empty())
-    problems.emplace_back("--vary names no parameter; `aspects describe` lists them.");
+    problems.push_back(option + " names no parameter; `aspects describe` lists them.");
   return varied;
 }
 

@@ -38,8 +38,9 @@ struct SweepPlan {
 };
 
 /// The parameters that `text` varies, such as "crank_1=0.2:0.4:21 rod=1". Of `SweepSample::sobol` a range has
-/// no number of values.
-std::vector<VariedParameter> parse_varied(const std::string& text, SweepSample sample, Problems& problems);
+/// no number of values. Messages name `option`.
+std::vector<VariedParameter> parse_varied(const std::string& option, const std::string& text,
+                                          SweepSample sample, Problems& problems);
 
 /// How many designs a grid has; 0 where that is more than `most_designs`.
 std::size_t grid_size(const std::vector<VariedParameter>& varied);

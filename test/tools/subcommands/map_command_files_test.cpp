@@ -140,7 +140,7 @@ TEST_F(MapCommandFiles, BadRegionsAreRefused) {
        "--region does not say where y may be; give \"x=-1:1 y=-1:1\", in m.\n"},
       {{"map", "five_bar", "--region", "x=0:1 y=0:1 z=0:1"},
        "--region has 'z=0:1'; give \"x=-1:1 y=-1:1\", in m.\n"},
-      {{"map", "five_bar", "--region", "x=0 y=0:1"}, "--region has 'x=0'; give \"x=-1:1\".\n"},
+      {{"map", "five_bar", "--region", "x=0 y=0:1"}, "--region has 'x=0'; give \"x=-1:1 y=-1:1\", in m.\n"},
       {{"map", "five_bar", "--region", "x=0:1 x=0:1 y=0:1"}, "--region names x twice; give one range.\n"},
       {{"map", "five_bar", "--region", "x=1:0 y=0:1"},
        "--region has 'x=1:0', whose lower end is not below the upper; give \"x=-1:1 y=-1:1\", in m.\n"},

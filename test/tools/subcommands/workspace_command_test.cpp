@@ -74,7 +74,7 @@ TEST_F(WorkspaceCommand, WhatDoesNotFitIsRefused) {
             "--gap is a share of the size; give one below 1, such as 0.01.\n");
   EXPECT_EQ(refused({"workspace", "five_bar", "--shape", "box", "--gap", "0", "--center", "z",
                      "--aspect-ratio", "x", "--mode", "+"}),
-            "--center has 'z'; give names with their values, such as \"x=0.5\".\n"
+            "--center has 'z'; give names with their values, such as \"x=1 y=2\".\n"
             "--aspect-ratio has 'x', which is not a finite number; give one.\n"
             "--gap is '0'; give a finite number greater than zero, such as 0.05.\n"
             "--mode is '+'; give the signs of B_jj of each leg, such as \"(-,+)\", for each working mode.\n");
