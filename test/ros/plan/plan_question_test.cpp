@@ -123,8 +123,9 @@ TEST(FieldsOfQuestion, HaveTheirTwinInTheMessage) {
 TEST(FieldsOfAnswer, HaveTheirTwinInTheMessage) {
   FieldsOfMessages fields(ros::message_traits::Definition<PlanPathResult>::value());
   describe(fields, ask::PlanAnswer());
-  // Those of the goal and of the node's map; `reason` names another start.
-  const std::vector<std::string> others{"policy", "prefer", "slice", "around_cusp", "other_start", "loaded"};
+  // Those of the goal and of the node's map; yes and no are proved, and `reason` names another start.
+  const std::vector<std::string> others{"policy",      "prefer",      "proved", "slice",
+                                        "around_cusp", "other_start", "loaded"};
   EXPECT_EQ(fields.missing(), others);
 }
 
@@ -133,8 +134,8 @@ TEST(FieldsOfJacobian, HaveTheirTwinInTheMessage) {
   describe(fields, ask::JacobianAnswer());
   describe(fields, ask::JacobianAt());
   // A SolvedConfiguration has joint_names and joint_positions, and tells what is beyond limits by its status.
-  const std::vector<std::string> others{"task_space", "direct_status", "actuated_joints", "configurations",
-                                        "within_limits"};
+  const std::vector<std::string> others{"task_space",     "direct_status", "actuated_joints",
+                                        "configurations", "joints",        "within_limits"};
   EXPECT_EQ(fields.missing(), others);
 }
 
