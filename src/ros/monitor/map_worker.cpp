@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/monitor/map_worker.h"
 
-#include "aspects/map/empty_map.h"
+#include "parallel_aspects/ask/session.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/connectivity.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
@@ -40,17 +40,16 @@ MapProgress computing(const char* what, double share, double resolution) {
   return report;
 }
 
-std::string complete_message(const AspectMap& map, const MapControl& control) {
+std::string complete_message(const ask::MapAnswer& answer) {
   char seconds[32];
-  std::snprintf(seconds, sizeof seconds, "%.3g s", map.seconds());
-  const std::int64_t most = count_at_most(map);
-  const bool is_exact = most == static_cast<std::int64_t>(map.proved_count());
-  return "The map is complete. Aspects found: " + std::to_string(map.aspects().size()) +
-         ", proved: " + (is_exact ? "exactly " : "at least ") + std::to_string(map.proved_count()) +
-         (most < 0 || is_exact ? "" : " and at most " + std::to_string(most)) +
-         (is_cut_by_region(map) ? ", in the region" : "") +
-         "; pairs unresolved: " + std::to_string(map.unresolved().size()) + "; time: " + seconds + "." +
-         (map.aspects().empty() ? " " + why_empty(map, control) : "");
+  std::snprintf(seconds, sizeof seconds, "%.3g s", answer.seconds);
+  const bool is_exact = answer.count_at_most == answer.proved_count;
+  return "The map is complete. Aspects found: " + std::to_string(answer.aspects.size()) +
+         ", proved: " + (is_exact ? "exactly " : "at least ") + std::to_string(answer.proved_count) +
+         (!answer.count_at_most || is_exact ? "" : " and at most " + std::to_string(*answer.count_at_most)) +
+         (answer.cut_by_region ? ", in the region" : "") +
+         "; pairs unresolved: " + std::to_string(answer.unresolved.size()) + "; time: " + seconds + "." +
+         (answer.no_aspect.empty() ? "" : " " + answer.no_aspect);
 }
 
 std::string complete_message(const PoseRoadmap& roadmap) {
@@ -70,23 +69,21 @@ MapProgress ended(MapStatus status, const std::string& message) {
   return report;
 }
 
-MapProgress ended(const RoadmapResult& result) {
-  MapProgress report = ended(result.status, result.message);
-  if (result.status != MapStatus::complete) return report;
-  report.seconds = result.roadmap->seconds();
-  report.message = complete_message(*result.roadmap);
-  return report;
-}
-
-MapProgress ended(const MapResult& result, const MapControl& control) {
-  MapProgress report = ended(result.status, result.message);
-  if (result.status != MapStatus::complete) return report;
-  report.resolution = result.map->resolution();
-  report.aspects = static_cast<std::uint32_t>(result.map->aspects().size());
-  report.count_at_most = count_at_most(*result.map);
-  report.unresolved = static_cast<std::uint32_t>(result.map->unresolved().size());
-  report.seconds = result.map->seconds();
-  report.message = complete_message(*result.map, control);
+MapProgress ended(const ask::Outcome<ask::MapAnswer>& outcome) {
+  if (outcome.status == MapStatus::cancelled) return ended(outcome.status, "The computation was cancelled.");
+  if (!outcome) return ended(outcome.status, text_of(outcome.problems.front(), ask::plain_name));
+  const ask::MapAnswer& answer = outcome.answer;
+  if (answer.sampled) {
+    MapProgress report = ended(outcome.status, complete_message(*answer.sampled->roadmap));
+    report.seconds = answer.sampled->roadmap->seconds();
+    return report;
+  }
+  MapProgress report = ended(outcome.status, complete_message(answer));
+  report.resolution = answer.resolution;
+  report.aspects = static_cast<std::uint32_t>(answer.aspects.size());
+  report.count_at_most = count_at_most(*answer.map);
+  report.unresolved = static_cast<std::uint32_t>(answer.unresolved.size());
+  report.seconds = answer.seconds;
   return report;
 }
 
@@ -227,55 +224,48 @@ void MapWorker::carry_out(const Request& request) {
   }
 }
 
+ask::MapQuestion MapWorker::question_of(const Request& request) {
+  ask::MapQuestion question;
+  question.complete = request.options.complete;
+  question.no_symmetry = !request.options.use_symmetry;
+  if (!has_map(manipulator_->task_space())) {
+    if (!file_.empty()) say_of_file("not used: with six degrees of freedom there is no map", false);
+  } else if (request.use == FileUse::load) {
+    std::error_code failure;
+    if (std::filesystem::exists(file_, failure) || failure)
+      question.source.load = file_;
+    else
+      say_of_file(file_ + " is not there yet; the map is computed and saved to it", true);
+  }
+  return question;
+}
+
 void MapWorker::make_map(const Request& request) {
   const bool of_map = has_map(manipulator_->task_space());
   const char* const what = of_map ? "map" : "roadmap";
-  const MapOptions& options = request.options;
-  const double resolution = of_map ? options.resolution.value_or(default_resolution(*manipulator_)) : 0.0;
+  const double resolution =
+      of_map ? request.options.resolution.value_or(default_resolution(*manipulator_)) : 0.0;
   report(computing(what, 0.0, resolution));
-  if (of_map && request.use == FileUse::load && load(options)) return make_distances_ready();
   double reported = 0.0;
-  MapControl control;
+  ask::Control control;
   control.cancelled = &cancelled_;
-  control.progress = [&](double share) {
+  control.progress = [&](const char* /*step*/, double share) {
     if (share < reported + 0.01) return;
     reported = share;
     report(computing(what, share, resolution));
   };
-  if (!of_map) return make_roadmap(options, control);
-  MapResult result = compute_aspect_map(manipulator_, options, control);
-  if (cancelled_) result = {MapStatus::cancelled, "The computation was cancelled.", nullptr};
-  report(ended(result, control), {result.map, nullptr, nullptr});
+  control.note = [this](const std::string& why) {
+    say_of_file("the map is computed, as the file was not used: " + why, false);
+  };
+  ask::Session session(manipulator_, request.options);
+  const auto outcome = ask::answer(session, question_of(request), control);
+  const ask::MapAnswer& answer = outcome.answer;
+  if (answer.loaded) say_of_file("loaded from " + file_, true);
+  report(ended(outcome), {answer.map, answer.sampled ? answer.sampled->roadmap : nullptr, nullptr});
   make_distances_ready();
-  if (result.status != MapStatus::complete || request.use == FileUse::none) return;
-  control.progress = nullptr;
-  compute_aspect_graph(*result.map, control);  // the file holds it, too, unless this is cancelled
-  save(*result.map);
-}
-
-void MapWorker::make_roadmap(const MapOptions& options, const MapControl& control) {
-  if (!file_.empty()) say_of_file("not used: with six degrees of freedom there is no map", false);
-  RoadmapOptions roadmap;
-  roadmap.region = options.region;
-  roadmap.threads = options.threads;
-  const RoadmapResult result = compute_pose_roadmap(manipulator_, roadmap, control);
-  report(ended(result), {nullptr, result.roadmap, nullptr});
-}
-
-bool MapWorker::load(const MapOptions& options) {
-  std::error_code failure;
-  if (!std::filesystem::exists(file_, failure) && !failure) {
-    say_of_file(file_ + " is not there yet; the map is computed and saved to it", true);
-    return false;
-  }
-  const MapResult result = load_map(manipulator_, options, file_);
-  if (result.status != MapStatus::complete) {
-    say_of_file("the map is computed, as the file was not used: " + result.message, false);
-    return false;
-  }
-  say_of_file("loaded from " + file_, true);
-  report(ended(result, {{}, &cancelled_}), {result.map, nullptr, nullptr});
-  return true;
+  if (!outcome || !answer.map || answer.loaded || request.use == FileUse::none) return;
+  compute_aspect_graph(*answer.map, {{}, &cancelled_});  // the file holds it, too, unless this is cancelled
+  save(*answer.map);
 }
 
 // Until then, and where this is cancelled, distances are measured without the map.

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_MONITOR_MAP_WORKER_H
 #define PARALLEL_ASPECTS_ROS_MONITOR_MAP_WORKER_H
 
+#include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/distance/boundary_distances.h"
@@ -94,8 +95,7 @@ class MapWorker {
   void run();
   void carry_out(const Request& request);
   void make_map(const Request& request);
-  void make_roadmap(const MapOptions& options, const MapControl& control);
-  bool load(const MapOptions& options);
+  ask::MapQuestion question_of(const Request& request);
   void save(const AspectMap& map);
   void make_distances_ready();
   void say_of_file(const std::string& message, bool well);

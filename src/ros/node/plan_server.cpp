@@ -6,7 +6,7 @@
 #include "ros/messages/conversions.h"
 #include "ros/pictures/answer_pictures.h"
 #include "ros/pictures/marker_batch.h"
-#include "ros/plan/plan_question.h"
+#include "ros/questions/plan_question.h"
 
 #include <algorithm>
 #include <thread>

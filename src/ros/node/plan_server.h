@@ -8,7 +8,7 @@
 #include "ros/monitor/robot_monitor.h"
 #include "ros/node/guarded_input.h"
 #include "ros/parameters/load_options.h"
-#include "ros/plan/plan_question.h"
+#include "ros/questions/plan_question.h"
 
 #include <parallel_aspects/PlanPathAction.h>
 

@@ -9,14 +9,14 @@
 #include "ros/node/diagnostics.h"
 #include "ros/node/guarded_input.h"
 #include "ros/node/log_queue.h"
-#include "ros/node/map_queries.h"
-#include "ros/node/motion_queries.h"
 #include "ros/node/plan_server.h"
-#include "ros/node/queries.h"
 #include "ros/parameters/load_options.h"
 #include "ros/parameters/reconfiguration.h"
 #include "ros/pictures/display.h"
 #include "ros/probe/probe.h"
+#include "ros/questions/map_queries.h"
+#include "ros/questions/motion_queries.h"
+#include "ros/questions/queries.h"
 
 #include <parallel_aspects/ComputeMapAction.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ROS_NODE_MOTION_QUERIES_H
-#define PARALLEL_ASPECTS_ROS_NODE_MOTION_QUERIES_H
+#ifndef PARALLEL_ASPECTS_ROS_QUESTIONS_MOTION_QUERIES_H
+#define PARALLEL_ASPECTS_ROS_QUESTIONS_MOTION_QUERIES_H
 
 #include "parallel_aspects/ask/check.h"
 #include "parallel_aspects/ask/choose.h"
@@ -52,4 +52,4 @@ class MotionQueries {
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ROS_NODE_MOTION_QUERIES_H
+#endif  // PARALLEL_ASPECTS_ROS_QUESTIONS_MOTION_QUERIES_H

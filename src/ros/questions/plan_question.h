@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ROS_PLAN_PLAN_QUESTION_H
-#define PARALLEL_ASPECTS_ROS_PLAN_PLAN_QUESTION_H
+#ifndef PARALLEL_ASPECTS_ROS_QUESTIONS_PLAN_QUESTION_H
+#define PARALLEL_ASPECTS_ROS_QUESTIONS_PLAN_QUESTION_H
 
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
@@ -42,4 +42,4 @@ void write_answer(const Manipulator& manipulator, const ask::PlanAnswer& answer,
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ROS_PLAN_PLAN_QUESTION_H
+#endif  // PARALLEL_ASPECTS_ROS_QUESTIONS_PLAN_QUESTION_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ROS_NODE_QUERIES_H
-#define PARALLEL_ASPECTS_ROS_NODE_QUERIES_H
+#ifndef PARALLEL_ASPECTS_ROS_QUESTIONS_QUERIES_H
+#define PARALLEL_ASPECTS_ROS_QUESTIONS_QUERIES_H
 
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/distance.h"
@@ -64,4 +64,4 @@ class Queries {
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ROS_NODE_QUERIES_H
+#endif  // PARALLEL_ASPECTS_ROS_QUESTIONS_QUERIES_H

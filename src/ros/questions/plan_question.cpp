@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/plan/plan_question.h"
+#include "ros/questions/plan_question.h"
 
 #include "model/message_text.h"
 #include "motion/choose/plan_around_cusp.h"

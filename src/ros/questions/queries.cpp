@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/queries.h"
+#include "ros/questions/queries.h"
 
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/messages/configurations.h"

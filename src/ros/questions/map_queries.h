@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ROS_NODE_MAP_QUERIES_H
-#define PARALLEL_ASPECTS_ROS_NODE_MAP_QUERIES_H
+#ifndef PARALLEL_ASPECTS_ROS_QUESTIONS_MAP_QUERIES_H
+#define PARALLEL_ASPECTS_ROS_QUESTIONS_MAP_QUERIES_H
 
 #include "parallel_aspects/ask/workspace.h"
 #include "ros/monitor/map_worker.h"
@@ -57,4 +57,4 @@ class WorkspaceQueries {
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ROS_NODE_MAP_QUERIES_H
+#endif  // PARALLEL_ASPECTS_ROS_QUESTIONS_MAP_QUERIES_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/motion_queries.h"
+#include "ros/questions/motion_queries.h"
 
 #include "ask/question_parts.h"
 #include "model/message_text.h"
@@ -8,7 +8,7 @@
 #include "parallel_aspects/model/manipulator.h"
 #include "ros/messages/configurations.h"
 #include "ros/messages/motion_messages.h"
-#include "ros/plan/plan_question.h"
+#include "ros/questions/plan_question.h"
 
 #include <cmath>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/node/map_queries.h"
+#include "ros/questions/map_queries.h"
 
 #include "ros/messages/conversions.h"
 #include "ros/messages/map_messages.h"

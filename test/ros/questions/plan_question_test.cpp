@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ros/questions/plan_question.h"
+
 #include "ask/question_parts.h"
 #include "parallel_aspects/ask/jacobian.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "ros/messages/conversions.h"
-#include "ros/plan/plan_question.h"
 
 #include <gtest/gtest.h>
 #include <ros/message_traits.h>
