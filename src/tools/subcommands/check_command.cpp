@@ -135,33 +135,17 @@ Report run(const CheckArguments& arguments, const Surroundings& surroundings) {
 
 Subcommand check_subcommand() {
   const auto arguments = std::make_shared<CheckArguments>();
-  const Option trajectory{
-      "--trajectory",
-      "FILE",
-      "Values of the actuated joints: a trajectory_msgs/JointTrajectory in YAML, as rostopic prints it; or "
-      "CSV "
-      "with a header of time and their names, NAME/velocity and NAME/acceleration where known",
-      &arguments->trajectory,
-      false,
-      Words::one,
-      FileUse::read};
-  const Option table{"--csv",
-                     "FILE",
-                     "Write time, pose, joints and indices of every sample as CSV",
-                     &arguments->csv_file,
-                     false,
-                     Words::one,
-                     FileUse::written};
-  const Option picture{"--picture",
-                       "FILE",
-                       "Draw indices and distances over time as SVG",
-                       &arguments->picture_file,
-                       false,
-                       Words::one,
-                       FileUse::written};
-  return question_subcommand<ask::CheckQuestion>("check", "Tell whether a trajectory is safe at every time",
-                                                 arguments, run, {path_option(arguments->path), trajectory},
-                                                 {table, picture});
+  return question_subcommand<ask::CheckQuestion>(
+      "check", "Tell whether a trajectory is safe at every time", arguments, run,
+      {path_option(arguments->path),
+       {"--trajectory", "FILE",
+        "Values of the actuated joints: a trajectory_msgs/JointTrajectory in YAML, as rostopic prints it; or "
+        "CSV with a header of time and their names, NAME/velocity and NAME/acceleration where known",
+        &arguments->trajectory, false, Words::one, FileUse::read}},
+      {{"--csv", "FILE", "Write time, pose, joints and indices of every sample as CSV", &arguments->csv_file,
+        false, Words::one, FileUse::written},
+       {"--picture", "FILE", "Draw indices and distances over time as SVG", &arguments->picture_file, false,
+        Words::one, FileUse::written}});
 }
 
 }  // namespace parallel_aspects::tools
