@@ -9,7 +9,8 @@
 #include "model/task_space_traits.h"
 #include "parallel_aspects/model/pose.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads MJCF with MuJoCo, which resolves defaults, units and frames. A library of its own, loaded where it is
 // needed.
+#include "model/linear_algebra.h"
 #include "urdf/reading/robot_graph.h"
 
 #include <Eigen/Geometry>
@@ -249,7 +250,7 @@ class GraphBuilder {
     joint.frames[1].linear().setIdentity();
     joint.frames[0].linear() = between;
     if ((between * axes[1]).cross(axes[0]).norm() > on_axis * axes[0].norm() * axes[1].norm())
-      joint.frames[0].linear() = Eigen::Quaterniond::FromTwoVectors(axes[1], axes[0]).toRotationMatrix();
+      joint.frames[0].linear() = shortest_rotation(axes[1], axes[0]).toRotationMatrix();
   }
 
   void mark_joints() {

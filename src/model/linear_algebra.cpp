@@ -1,15 +1,61 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/linear_algebra.h"
 
-#include "model/angles.h"
-
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
+#include <cmath>
+
 namespace parallel_aspects {
+namespace {
+
+/// M = Q R by reflections. Eigen's class has blocks for large matrices, and takes ten seconds to compile.
+class Reflections {
+ public:
+  explicit Reflections(TallMatrix& matrix) noexcept : matrix_(matrix), pivots_(matrix.cols()) {
+    for (Eigen::Index k = 0; k < matrix.cols(); ++k) {
+      auto normal = matrix_.col(k).tail(matrix.rows() - k);
+      pivots_[k] = std::copysign(normal.norm(), -normal[0]);
+      normal[0] -= pivots_[k];
+      for (Eigen::Index next = k + 1; next < matrix.cols(); ++next) reflect(k, matrix_.col(next));
+    }
+  }
+
+  double least_pivot() const noexcept { return pivots_.cwiseAbs().minCoeff(); }
+
+  /// Q y, with R^T y = right and a last entry of zero.
+  TallVector nearest(const TaskVector& right) const noexcept {
+    TallVector y = TallVector::Zero(matrix_.rows());
+    for (Eigen::Index k = 0; k < matrix_.cols(); ++k)
+      y[k] = (right[k] - matrix_.col(k).head(k).dot(y.head(k))) / pivots_[k];
+    return rotated(y);
+  }
+
+  /// The last column of Q.
+  TallVector along() const noexcept { return rotated(TallVector::Unit(matrix_.rows(), matrix_.cols())); }
+
+ private:
+  template <class Vector>
+  void reflect(Eigen::Index k, Vector&& vector) const noexcept {
+    const auto normal = matrix_.col(k).tail(matrix_.rows() - k);
+    auto part = vector.tail(matrix_.rows() - k);
+    const double square = normal.squaredNorm();
+    if (square > 0.0) part -= (2.0 / square * normal.dot(part)) * normal;
+  }
+
+  TallVector rotated(TallVector vector) const noexcept {
+    for (Eigen::Index k = matrix_.cols(); k-- > 0;) reflect(k, vector);
+    return vector;
+  }
+
+  TallMatrix& matrix_;  // above the diagonal R; from it down the normals of the reflections
+  TaskVector pivots_;   // the diagonal of R
+};
+
+}  // namespace
 
 SingularValueDecomposition singular_value_decomposition(const Eigen::MatrixXd& matrix) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -35,15 +81,6 @@ Eigen::Vector3d symmetric_eigenvalues(const Eigen::Matrix3d& matrix) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-Eigen::Quaterniond shortest_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  const Eigen::Vector3d a = from.normalized(), b = to.normalized();
-  const Eigen::Vector3d middle = a + b;
-  // Half a turn about any axis across; so near to it, the direction of the middle would be rounding.
-  if (middle.norm() < 1e-7) return Eigen::Quaterniond(Eigen::AngleAxisd(pi, a.unitOrthogonal()));
-  const Eigen::Vector3d half = middle.normalized(), axis = a.cross(half);
-  return Eigen::Quaterniond(a.dot(half), axis.x(), axis.y(), axis.z()).normalized();
-}
-
 double determinant(const TaskMatrix& matrix) { return matrix.determinant(); }
 
 TaskMatrix inverse(const TaskMatrix& matrix) { return matrix.inverse(); }
@@ -54,6 +91,11 @@ TaskVector solution(const TaskMatrix& matrix, const TaskVector& right) {
 
 TaskVector singular_values(const TaskMatrix& matrix) {
   return Eigen::JacobiSVD<TaskMatrix, Eigen::NoQRPreconditioner>(matrix).singularValues();
+}
+
+LineOfSolutions line_of_solutions(TallMatrix matrix, const TaskVector& right) noexcept {
+  const Reflections reflections(matrix);
+  return {reflections.nearest(right), reflections.along(), reflections.least_pivot()};
 }
 
 }  // namespace parallel_aspects

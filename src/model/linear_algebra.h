@@ -81,6 +81,21 @@ TaskVector solution(const TaskMatrix& matrix, const TaskVector& right);
 /// Decreasing.
 TaskVector singular_values(const TaskMatrix& matrix);
 
+/// Of n + 1 rows and n columns, at most `max_legs`.
+using TallMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_legs + 1, max_legs>;
+using TallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_legs + 1, 1>;
+
+/// What solves n equations in n + 1 unknowns: `nearest`, and what differs from it by a multiple of `along`.
+struct LineOfSolutions {
+  TallVector nearest;  ///< of the smallest norm
+  TallVector along;    ///< a unit vector
+  double least_pivot;  ///< of the equations in magnitude; they are independent where it is not zero
+};
+
+/// Of the equations M^T x = right. Their gradients are the columns of M.
+LineOfSolutions line_of_solutions(TallMatrix matrix, const TaskVector& right) noexcept;
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_MODEL_LINEAR_ALGEBRA_H

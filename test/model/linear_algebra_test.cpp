@@ -53,5 +53,37 @@ TEST(SingularValues, OfSquareMatricesAreThoseOfTheGeneralDecomposition) {
     }
 }
 
+// The general decompositions know the same line.
+TEST(LineOfSolutions, SolvesTheEquationsNearestToZeroAndAlongWhatTheyLeaveOpen) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int n = 1; n <= max_legs; ++n)
+    for (int trial = 0; trial < 50; ++trial) {
+      const TallMatrix matrix = TallMatrix::NullaryExpr(n + 1, n, [&] { return uniform(random); });
+      const TaskVector right = TaskVector::NullaryExpr(n, [&] { return uniform(random); });
+      const LineOfSolutions line = line_of_solutions(matrix, right);
+      const Eigen::MatrixXd equations = matrix.transpose();
+      const auto known = singular_value_decomposition(equations);
+      const double least = known.values[n - 1];
+      EXPECT_GE(line.least_pivot, (1.0 - 1e-12) * least) << matrix;
+      if (least < 1e-3) continue;
+      EXPECT_LT((line.nearest - least_squares_solution(equations, right, 1e-12)).norm(), 1e-9) << matrix;
+      EXPECT_NEAR(std::abs(line.along.dot(known.null_space(n).col(0))), 1.0, 1e-10) << matrix;
+      EXPECT_NEAR(line.along.norm(), 1.0, 1e-14);
+    }
+}
+
+TEST(LineOfSolutions, HasAPivotOfZeroWhereTheEquationsAreDependent) {
+  TallMatrix matrix = TallMatrix::Zero(4, 3);
+  matrix(0, 0) = 2.0;
+  matrix(1, 1) = 1.0;
+  EXPECT_EQ(line_of_solutions(matrix, TaskVector::Zero(3)).least_pivot, 0.0);
+  matrix(3, 2) = -3.0;
+  const LineOfSolutions line = line_of_solutions(matrix, TaskVector::Constant(3, 6.0));
+  EXPECT_EQ(line.least_pivot, 1.0);
+  EXPECT_LT((line.nearest - Eigen::Vector4d(3.0, 6.0, 0.0, -2.0)).norm(), 1e-14);
+  EXPECT_EQ(std::abs(line.along[2]), 1.0);
+}
+
 }  // namespace
 }  // namespace parallel_aspects

@@ -3,7 +3,7 @@
 
 #include "aspects/boxes/segment_proof.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>

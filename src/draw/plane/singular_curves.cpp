@@ -3,9 +3,8 @@
 
 #include "aspects/constraints/constraint_clearance.h"
 #include "model/angles.h"
+#include "model/linear_algebra.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -146,15 +145,12 @@ std::optional<SingularCurves::Point> SingularCurves::corrected(const Condition& 
     const Eigen::Array3d sizes = slopes.colwise().norm().transpose();
     slopes.array().rowwise() /= sizes.transpose();
     const Eigen::Vector3d value = residual(condition, at).array() / sizes;
-    const Eigen::HouseholderQR<Eigen::Matrix<double, 4, 3>> factors(slopes);
-    const Eigen::Matrix4d basis = factors.householderQ();
-    const Eigen::Matrix3d upper = factors.matrixQR().topRows<3>().triangularView<Eigen::Upper>();
-    if (!(upper.diagonal().cwiseAbs().minCoeff() > dependence)) return std::nullopt;
-    const Coordinates step =
-        -basis.leftCols<3>() * upper.transpose().triangularView<Eigen::Lower>().solve(value);
+    const LineOfSolutions line = line_of_solutions(slopes, value);
+    if (!(line.least_pivot > dependence)) return std::nullopt;
+    const Coordinates step = -line.nearest;
     if (!(step.norm() < 1.0)) return std::nullopt;
     at += step;
-    if (step.norm() < correction) return Point{at, basis.col(3)};
+    if (step.norm() < correction) return Point{at, line.along};
   }
   return std::nullopt;
 }

@@ -3,9 +3,9 @@
 
 #include "interval/path_form.h"
 #include "legs/spatial_leg.h"
+#include "model/linear_algebra.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -210,16 +210,15 @@ bool FoldProof::prepare(Point& point, const Vector& onward) const noexcept {
   point.tangent = onward;
   const System system = enclose(point);
   const auto n = static_cast<Eigen::Index>(size_);
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, max_legs> columns(n + 1, n);
+  TallMatrix columns(n + 1, n);
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index k = 0; k <= n; ++k) {
       const Interval& entry = system.matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
       columns(k, i) = 0.5 * (entry.lower() + entry.upper());
     }
   if (!columns.allFinite()) return false;
-  const Eigen::HouseholderQR<decltype(columns)> factors(columns);
-  const Vector across = factors.householderQ() * Vector::Unit(n + 1, n);
-  point.tangent = (across.dot(onward) < 0.0 ? -down : down) / across.norm() * across;
+  const Vector along = line_of_solutions(columns, TaskVector::Zero(n)).along;
+  point.tangent = (along.dot(onward) < 0.0 ? -down : down) / along.norm() * along;
   return evaluate(point);
 }
 

@@ -5,7 +5,6 @@
 #include "parallel_aspects/model/constraints.h"
 #include "urdf/recognition/description_rounding.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -212,7 +211,7 @@ class ChainRecogniser {
       moment += across * pivot.point;
     }
     if (symmetric_eigenvalues(normal)[0] < 1e-3) return std::nullopt;  // parallel axes
-    const Vector3d point = normal.ldlt().solve(moment);
+    const Vector3d point = positive_definite_solution(normal, moment);
     for (const Pivot& pivot : group) {
       const double off =
           pivot.kind == PivotKind::ball ? (point - pivot.point).norm() : distance_to_axis(point, pivot);
