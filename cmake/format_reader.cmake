@@ -2,6 +2,7 @@
 # file is given. It lies where the core looks for it.
 function(parallel_aspects_format_reader name)
   add_library(${name} MODULE ${ARGN})
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_link_libraries(${name} PRIVATE parallel_aspects_private_headers Eigen3::Eigen)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/include)
   parallel_aspects_warnings(${name})
