@@ -416,7 +416,8 @@ TEST(IdleChain, IsLeftOutWhateverItDrives) {
   const auto right = test::load({urdf, without});
   ASSERT_EQ(right->manipulator()->task_space(), TaskSpace::T3);
   EXPECT_FALSE(any_note(*right, "takes nothing"));
-  const std::string follows = "No joint is actuated in the chain of 'motor_4', 'shaft_top_r_joint',";
+  const std::string follows =
+      "No joint is actuated in the chain of 'shaft_top_r_joint', 'shaft_top_p_joint',";
   for (const auto& [config, said] : {std::pair{stated, note}, std::pair{listed, follows}}) {
     const auto found = test::load({urdf, config});
     expect_same_legs(*found, *right, 1e-9);

@@ -60,6 +60,7 @@ Vector3d upright(Vector3d axis) {
 // Along one line, either way; nothing where they turn about none, or several.
 std::optional<std::array<Vector3d, 2>> axis_of(const ClosureSystem& system, const Assembly& assembly,
                                                const std::array<LinkFrame, 2>& frames) {
+  if (assembly.motions.cols() == 0) return std::nullopt;
   const Poses poses = link_poses(system.tree(), system.base(), assembly.values);
   const auto turning = [&](std::size_t link) {
     return link_twists(system, poses, link, assembly.motions).topRows<3>().eval();

@@ -114,20 +114,6 @@ class MotionFinder {
     return text;
   }
 
-  // Those that can move while the others are locked, and leave the platform where it is.
-  std::string idle_text() const {
-    std::string text;
-    for (Eigen::Index j = 0; j < joint_rates_.rows(); ++j) {
-      MatrixXd others = joint_rates_;
-      others.row(j).setZero();
-      const MatrixXd alone = null_space(others);
-      if ((joint_rates_.row(j) * alone).norm() > velocity_tolerance && rank(twists_ * alone) == 0)
-        text += (text.empty() ? ", of which the platform is not moved by '" : ", '") +
-                system_.tree().joint_of(actuated_joints_.variables[static_cast<std::size_t>(j)]).name + "'";
-    }
-    return text;
-  }
-
   std::string actuated_names() const {
     std::string text;
     for (const std::size_t variable : actuated_joints_.variables)
@@ -150,8 +136,8 @@ class MotionFinder {
         ", which moves in none of the task spaces T1 (1 actuated joint), T2 (2 actuated joints), SE2, "
         "T3, SO3 (3 actuated joints) or SE3 (6 actuated joints), but with " +
         std::to_string(rank(angular())) + " rotations and " + std::to_string(rank(linear())) +
-        " translations for " + std::to_string(count) + " actuated joints" + idle_text() +
-        "; name a link of the body that all legs share, or where they meet, else the robot "
+        " translations for " + std::to_string(count) +
+        " actuated joints; name a link of the body that all legs share, or where they meet, else the robot "
         "is not "
         "supported.");
   }
