@@ -26,7 +26,7 @@ void push(benchmark::State& state, const std::string& name) {
   for (auto _ : state) {
     const GuardedMotion motion =
         guard.guard(test::tracked_at(*robot, pose, start->mode, time), proved, twist, time);
-    pose = displaced(robot->task_space(), pose, test::guard_step * motion.twist);
+    pose = displaced(robot->motions(), pose, test::guard_step * motion.twist);
     time += test::guard_step;
   }
 }

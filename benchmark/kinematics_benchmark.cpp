@@ -116,7 +116,7 @@ Pose random_pose(const Mechanism& mechanism, test::RandomRobots& random) {
   TaskVector step(static_cast<Eigen::Index>(robot.leg_count()));
   for (Eigen::Index k = 0; k < step.size(); ++k)
     step[k] = random.uniform(-1.0, 1.0) * (k < turns ? EIGEN_PI : 0.3 * robot.size());
-  return displaced(robot.task_space(), mechanism.assembled().pose, step);
+  return displaced(robot.motions(), mechanism.assembled().pose, step);
 }
 
 // The robots as they are shipped, from their URDF, in random working modes.

@@ -109,7 +109,7 @@ void plan_in_maps(const std::string& name, const std::shared_ptr<const Manipulat
                             [&](const PathEnd& from, const PathEnd& to, PathPreference prefer) {
                               return planner.plan(from, to, {policy, prefer, {}});
                             },
-                            pose_between};
+                            between_poses(TaskSpace::SE3)};
     print(name, policy, ask(planning, policy == PathPolicy::stay, pairs, samples));
   }
 }
@@ -124,7 +124,7 @@ void plan_in_roadmaps(const std::string& name, const std::shared_ptr<const Manip
                             [&](const PathEnd& from, const PathEnd& to, PathPreference prefer) {
                               return plan_in_roadmap(*roadmap, from, to, {policy, prefer, {}});
                             },
-                            pose_between, true};
+                            between_poses(TaskSpace::SE3), true};
     print(name, policy, ask(planning, policy == PathPolicy::stay, pairs, samples));
   }
 }

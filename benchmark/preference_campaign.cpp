@@ -79,7 +79,8 @@ void print(const std::string& robot, const Row& row) {
 /// Random configurations of one working mode that a path joins.
 Row campaign(const std::shared_ptr<const Manipulator>& robot, const Plan& plan, int pairs) {
   const SegmentCertifier certifier(robot);
-  const PathTime time = path_timer(certifier, pose_between, test::usual_accelerations(*robot));
+  const PathTime time =
+      path_timer(certifier, between_poses(TaskSpace::SE3), test::usual_accelerations(*robot));
   test::PosePairs random(robot, 20261123);
   Row row;
   for (int i = 0; i < pairs; ++i) {

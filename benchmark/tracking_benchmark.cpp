@@ -37,7 +37,7 @@ Round round_of(const Mechanism& mechanism) {
     TaskVector step(static_cast<Eigen::Index>(robot.leg_count()));
     for (Eigen::Index k = 0; k < step.size(); ++k)
       step[k] = random.uniform(-1.0, 1.0) * (k < turns ? 0.2 : 0.1 * robot.size());
-    round.start = displaced(robot.task_space(), mechanism.assembled().pose, step);
+    round.start = displaced(robot.motions(), mechanism.assembled().pose, step);
     for (const WorkingMode& mode : working_modes(robot)) {
       const auto corners =
           plan_local_motion(robot, round.start, mode, [](const Pose&, const JointVector&) { return true; });

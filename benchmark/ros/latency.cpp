@@ -73,7 +73,7 @@ class Motion {
     width_ = 1e-3 * std::min(1.0, manipulator.size());
     const PoseCoordinates values =
         Eigen::Map<const Eigen::VectorXd>(coordinates.data(), static_cast<Eigen::Index>(coordinates.size()));
-    const auto pose = pose_from_coordinates(manipulator.task_space(), values);
+    const auto pose = pose_from_coordinates(manipulator.motions(), values);
     if (!pose) return;
     for (const InverseSolution& solution : inverse_in_all_modes(manipulator, *pose))
       if (solution.status == InverseStatus::solved) middle_ = solution.q;

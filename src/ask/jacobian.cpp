@@ -60,7 +60,7 @@ Eigen::MatrixXd anchor_velocities(const Manipulator& robot, const Pose& pose) {
     const Eigen::Vector3d b = pose.orientation * robot.leg(static_cast<std::size_t>(j)).anchor;
     for (Eigen::Index i = 0; i < 3; ++i) {  // the row of A of a link along this axis
       auto row = result.row(3 * j + i);
-      write_row(robot.task_space(), b, Eigen::Vector3d::Unit(i), row);
+      write_row(robot.task_space(), lever_at(pose, b), Eigen::Vector3d::Unit(i), row);
     }
   }
   return result / std::sqrt(static_cast<double>(n));
@@ -166,9 +166,13 @@ JacobianAnswer jacobian_units(const Manipulator& robot) {
     result.wrench.push_back((turns ? "m" : "f") + axis);
     result.wrench_units.emplace_back(turns ? "N m" : "N");
   };
-  const std::vector<std::string> axes{"x", "y", "z"};
-  for (std::size_t i = 3 - of.rotations; of.rotations > 0 && i < 3; ++i) add(axes[i], true);
-  for (std::size_t i = 0; i < of.translations; ++i) add(axes[i], false);
+  if (has_hinges(result.task_space)) {
+    for (const std::string& angle : coordinate_names(result.task_space)) add("_" + angle, true);
+  } else {
+    const std::vector<std::string> axes{"x", "y", "z"};
+    for (std::size_t i = 3 - of.rotations; of.rotations > 0 && i < 3; ++i) add(axes[i], true);
+    for (std::size_t i = 0; i < of.translations; ++i) add(axes[i], false);
+  }
   for (const Leg& leg : robot.legs()) {
     result.joints.push_back(leg.actuated_joint);
     result.rate_units.emplace_back(leg.actuated_by_angle() ? "rad/s" : "m/s");

@@ -130,6 +130,7 @@ class Planning {
 
   // Before anything starts.
   void check() {
+    answer_.between = between_poses(robot().motions());
     answer_.policy = question_.policy;
     answer_.prefer = question_.prefer;
     answer_.around_cusp = question_.around_cusp;

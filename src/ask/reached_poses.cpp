@@ -123,7 +123,7 @@ class Flood {
   std::optional<Pose> pose_at(const TaskVector& twist) const {
     const TaskSpace space = manipulator_.task_space();
     if (twist.head(turns_in(space)).norm() > EIGEN_PI) return std::nullopt;
-    return displaced(space, home_, twist);
+    return displaced(manipulator_.motions(), home_, twist);
   }
 
   const Manipulator& manipulator_;
@@ -146,7 +146,7 @@ void push_on(const Manipulator& manipulator, const TaskVector& steps, FarthestPo
     for (int k = 0; k < pushes; ++k) {
       TaskVector twist = length * steps;
       for (Eigen::Index i = 0; i < twist.size(); ++i) twist[i] *= signed_uniform(random);
-      const Pose pose = displaced(manipulator.task_space(), farthest.poses[end], twist);
+      const Pose pose = displaced(manipulator.motions(), farthest.poses[end], twist);
       const bool goes_on = FarthestPoses::beyond(pose, farthest.poses[end], end) > 0.0;
       if (!goes_on) continue;
       const bool reached = is_reached(manipulator, pose);
@@ -160,7 +160,7 @@ double reach_along(const Manipulator& manipulator, const Pose& home, Eigen::Inde
   const auto reaches = [&](double amount) {
     TaskVector twist = TaskVector::Zero(static_cast<Eigen::Index>(manipulator.leg_count()));
     twist[entry] = way * amount;
-    return is_reached(manipulator, displaced(manipulator.task_space(), home, twist));
+    return is_reached(manipulator, displaced(manipulator.motions(), home, twist));
   };
   const double end = farthest(manipulator, entry), step = end / steps_along;
   double inside = 0.0, outside = step;

@@ -28,7 +28,7 @@ void set_home(const Mechanism& mechanism, RobotDescription& result) {
   result.home = mechanism.home();
   result.home_digits = exact_digits;
   for (const int digits : {6, pose_digits, exact_digits}) {
-    const auto pose = as_typed(mechanism.manipulator()->task_space(), mechanism.home().pose, digits);
+    const auto pose = as_typed(mechanism.manipulator()->motions(), mechanism.home().pose, digits);
     if (!pose) continue;
     const auto q = solved_at(mechanism, *pose, result.home.q);
     if (!q) continue;
@@ -56,6 +56,7 @@ ReachedPoses drawn_all_over(const Manipulator& manipulator, PoseSampler& sampler
 
 // By entry of a twist.
 std::vector<std::string> names_alone(TaskSpace space) {
+  if (has_hinges(space)) return coordinate_names(space);
   std::vector<std::string> names{"roll", "pitch", "yaw"};
   if (is_planar(space)) names = {"phi"};
   const std::vector<std::string> axes{"x", "y", "z"};

@@ -2,6 +2,7 @@
 #include "parallel_aspects/distance/boundary_distances.h"
 
 #include "aspects/constraints/finite_lengths.h"
+#include "distance/hinge_search.h"
 #include "distance/leg_search.h"
 #include "distance/parallel_search.h"
 #include "model/task_space_traits.h"
@@ -186,6 +187,26 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
   bool usable_;
 };
 
+/// Of angles of hinges, whose poses have no coordinates in which distances are lengths.
+class BoundaryDistanceMeter::HingeSearches final : public Searches {
+ public:
+  HingeSearches(std::shared_ptr<const Manipulator> manipulator, const DistanceOptions& options)
+      : manipulator_(std::move(manipulator)), search_(*manipulator_, options) {}
+
+  void use(std::shared_ptr<const DistanceMap>) override {}  // two angles are searched as fast without
+
+  BoundaryDistances measure(const Pose& pose, const WorkingMode& mode) noexcept override {
+    if (!is_usable(*manipulator_, longest_length) || !is_usable(pose, longest_length) ||
+        !has_branches(*manipulator_, mode))
+      return {};
+    return search_.measure(pose, mode);
+  }
+
+ private:
+  std::shared_ptr<const Manipulator> manipulator_;
+  HingeSearch search_;
+};
+
 BoundaryDistanceMeter::BoundaryDistanceMeter(std::shared_ptr<const Manipulator> manipulator,
                                              const DistanceOptions& options) {
   Problems problems;
@@ -197,7 +218,11 @@ BoundaryDistanceMeter::BoundaryDistanceMeter(std::shared_ptr<const Manipulator> 
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const TaskSpace task_space = manipulator->task_space();
   searches_ = with_task_space(task_space, [&](auto constant) -> std::unique_ptr<Searches> {
-    return std::make_unique<SearchesIn<decltype(constant)::value>>(std::move(manipulator), options);
+    constexpr TaskSpace space = decltype(constant)::value;
+    if constexpr (is_of_hinges(space))
+      return std::make_unique<HingeSearches>(std::move(manipulator), options);
+    else
+      return std::make_unique<SearchesIn<space>>(std::move(manipulator), options);
   });
 }
 

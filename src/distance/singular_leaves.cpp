@@ -260,7 +260,8 @@ SingularLeaves::SingularLeaves(const AspectMap::Contents& map, const MapControl&
     : ends_(ends_of(map)) {
   with_task_space(map.manipulator->task_space(), [&](auto constant) {
     constexpr TaskSpace space = decltype(constant)::value;
-    if constexpr (space != TaskSpace::SE3) trees_ = leaf_trees<space>(map, control, extent_);
+    if constexpr (space != TaskSpace::SE3 && !is_of_hinges(space))
+      trees_ = leaf_trees<space>(map, control, extent_);
   });
   complete_ = !is_cancelled(control);
 }

@@ -67,6 +67,13 @@ struct PathForm {
     return tightened(square_root(a.center), range, a.slope * reciprocal(Interval(2.0) * range));
   }
 
+  /// f(a) for a function f whose values at a.center, over a.range and whose derivative over a.range are
+  /// these.
+  friend PathForm composed(const PathForm& a, const Interval& at_center, const Interval& over_range,
+                           const Interval& derivative) {
+    return tightened(at_center, over_range, derivative * a.slope);
+  }
+
  private:
   PathForm(const Interval& at_center, const Interval& over_range, const Interval& derivative)
       : center(at_center), range(over_range), slope(derivative) {}

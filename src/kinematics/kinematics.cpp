@@ -207,7 +207,7 @@ TaskMatrix direct_matrix(const Manipulator& manipulator, const Pose& pose, const
     const Eigen::Vector3d b = pose.orientation * leg.anchor;
     const Eigen::Vector3d u = pose.position + b - leg.proximal_point(q[j]);
     auto row = matrix.row(j);
-    write_row(manipulator.task_space(), b, u, row);
+    write_row(manipulator.task_space(), lever_at(pose, b), u, row);
   }
   return matrix;
 }

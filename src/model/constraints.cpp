@@ -28,6 +28,7 @@ class Check {
     check_margins(constraints_.margins);
     for (const PassiveLimit& limit : constraints_.passive_limits) check_passive(limit);
     for (const PassiveCone& limit : constraints_.passive_cones) check_cone(limit.cone);
+    for (const HingeLimit& limit : constraints_.hinge_limits) check_hinge(limit);
     for (const BallJointCone& cone : constraints_.cones) check_cone(cone);
     return std::move(problems_);
   }
@@ -84,7 +85,10 @@ class Check {
 
   void check_workspace(const WorkspaceBox& box) {
     const auto count = static_cast<Eigen::Index>(directions(space_));
-    if (count == 0) problem("A robot in SO3 stays where it is; leave out the workspace.");
+    if (count == 0)
+      problem(
+          "A robot in " + std::string(name(space_)) + " turns only; leave out the workspace" +
+          (has_hinges(space_) ? ", and limit the passive joints that hold the platform in the URDF." : "."));
     for (Eigen::Index i = 0; i < count; ++i)
       if (!std::isfinite(box.lower[i]) || !std::isfinite(box.upper[i]) || !(box.lower[i] < box.upper[i]))
         problem("The workspace needs finite numbers, each of lower below that of upper; number " +
@@ -102,6 +106,13 @@ class Check {
     if (limit.leg >= legs_.size() || !std::isfinite(limit.offset) || std::abs(limit.sense) != 1.0 ||
         !(limit.limits.lower <= limit.limits.upper) || !is_planar(space_))
       problem("The limits of joint '" + limit.joint + "' are not those of a leg in the plane; correct them.");
+  }
+
+  void check_hinge(const HingeLimit& limit) {
+    if (!has_hinges(space_) || limit.hinge >= degrees_of_freedom(space_) ||
+        !(limit.limits.lower < limit.limits.upper))
+      problem("The limits of joint '" + limit.joint +
+              "' are not those of the passive chain that holds the platform; correct them.");
   }
 
   void check_cone(const BallJointCone& cone) {
@@ -155,6 +166,8 @@ std::string_view name(ConstraintKind kind) noexcept {
   }
   return "margins";
 }
+
+bool HingeLimit::is_limited() const noexcept { return limits.upper - limits.lower < full_turn; }
 
 std::string_view name(LegEnd end) noexcept { return end == LegEnd::base ? "base" : "platform"; }
 

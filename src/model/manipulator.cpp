@@ -116,10 +116,23 @@ void check_leg_count(const ManipulatorDescription& description, Problems& proble
                        ", one for each degree of freedom of the platform.");
 }
 
+// With axes this near to parallel the two angles are hardly apart from each other.
+constexpr double least_sine = 1e-2;
+
+void check_hinges(const ManipulatorDescription& description, Problems& problems) {
+  if (description.task_space != TaskSpace::R2) return;
+  const HingePair& hinges = description.hinges;
+  if (!std::isfinite(hinges.offset) || !(hinges.twist > 0.0 && std::sin(hinges.twist) > least_sine))
+    problems.push_back("The passive chain of '" + description.name +
+                       "' needs a finite offset and an angle of more than 0.01 rad between its two axes; "
+                       "correct them.");
+}
+
 Problems find_problems(const ManipulatorDescription& description) {
   Problems problems;
   if (description.name.empty()) problems.emplace_back("The manipulator has no name; give one.");
   check_leg_count(description, problems);
+  check_hinges(description, problems);
   check_names(description.legs, problems);
   for (const Leg& leg : description.legs) LegCheck(leg, problems);
   if (!description.task_frame.matrix().allFinite())
@@ -161,8 +174,9 @@ ConstraintKinds Manipulator::constraint_kinds() const noexcept {
   ConstraintKinds kinds;
   kinds[index_of(ConstraintKind::actuated_limits)] =
       std::any_of(legs().begin(), legs().end(), [](const Leg& leg) { return leg.limits.limited(); });
-  kinds[index_of(ConstraintKind::passive_limits)] =
-      !constraints.passive_limits.empty() || !constraints.passive_cones.empty();
+  kinds[index_of(ConstraintKind::passive_limits)] = !constraints.passive_limits.empty() ||
+                                                    !constraints.passive_cones.empty() ||
+                                                    !constraints.hinge_limits.empty();
   kinds[index_of(ConstraintKind::cones)] = !constraints.cones.empty();
   kinds[index_of(ConstraintKind::self_collision)] = constraints.self_collision.has_value();
   kinds[index_of(ConstraintKind::obstacles)] = !constraints.obstacles.empty();
@@ -180,6 +194,7 @@ std::shared_ptr<const Manipulator> Manipulator::with_constraints(ConstraintKinds
   if (!asked(ConstraintKind::passive_limits)) {
     constraints.passive_limits.clear();
     constraints.passive_cones.clear();
+    constraints.hinge_limits.clear();
     constraints.missing_joints.clear();
   }
   if (!asked(ConstraintKind::cones)) constraints.cones.clear();

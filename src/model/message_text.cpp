@@ -33,13 +33,13 @@ std::string pose_numbers(TaskSpace space, const Pose& pose, int digits) {
   return text;
 }
 
-std::optional<Pose> as_typed(TaskSpace space, const Pose& pose, int digits) {
-  std::istringstream text(pose_numbers(space, pose, digits));
+std::optional<Pose> as_typed(const Motions& motions, const Pose& pose, int digits) {
+  std::istringstream text(pose_numbers(motions.space, pose, digits));
   text.imbue(std::locale::classic());
-  PoseCoordinates coordinates = pose_coordinates(space, pose);
+  PoseCoordinates coordinates = pose_coordinates(motions.space, pose);
   for (Eigen::Index k = 0; k < coordinates.size(); ++k)
     if (!(text >> coordinates[k])) return std::nullopt;
-  return pose_from_coordinates(space, coordinates);
+  return pose_from_coordinates(motions, coordinates);
 }
 
 }  // namespace parallel_aspects

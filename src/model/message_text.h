@@ -44,7 +44,7 @@ inline constexpr int pose_digits = 10;
 std::string pose_numbers(TaskSpace space, const Pose& pose, int digits = 6);
 
 /// The pose that these numbers say when they are typed; nothing where `pose` is not finite.
-std::optional<Pose> as_typed(TaskSpace space, const Pose& pose, int digits);
+std::optional<Pose> as_typed(const Motions& motions, const Pose& pose, int digits);
 
 }  // namespace parallel_aspects
 

@@ -60,6 +60,10 @@ std::optional<ProvedSolution> SolutionProver::prove(const JointVector& q, const 
 
 // A factor that rounding cannot make up for: no radius is below a billionth of the robot's size.
 bool SolutionProver::differ(const ProvedSolution& first, const ProvedSolution& second) const {
+  if (manipulator().task_space() == TaskSpace::R2) {
+    const RoundingUpward rounding;
+    return certifier_.distance(first.pose, second.pose) > 2.0 * (first.radius + second.radius);
+  }
   const double turned =
       manipulator().characteristic_length() * first.pose.orientation.angularDistance(second.pose.orientation);
   const double moved = (first.pose.position - second.pose.position).norm();

@@ -65,7 +65,7 @@ class LocalPlanner {
       const double unit = i < rotations ? 2.0 : robot_.size();
       twist[i] = amplitude * unit * std::sin(2.0 * EIGEN_PI * turns[static_cast<std::size_t>(i)] * share);
     }
-    const Pose pose = displaced(robot_.task_space(), middle_, twist);
+    const Pose pose = displaced(robot_.motions(), middle_, twist);
     const InverseSolution solution = inverse(robot_, pose, mode_);
     if (solution.status != InverseStatus::solved || !clear(pose, solution.q)) return std::nullopt;
     if (!allowed_(pose, solution.q)) return std::nullopt;

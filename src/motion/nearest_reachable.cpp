@@ -125,8 +125,8 @@ Descent::Local Descent::linearised(const Pose& pose) const {
     const double step = 1e-6 * (i < rotations ? 1.0 : robot_.size());
     TaskVector twist = TaskVector::Zero(dimension);
     twist[i] = step;
-    const Pose ahead = displaced(robot_.task_space(), pose, twist);
-    const Pose behind = displaced(robot_.task_space(), pose, -twist);
+    const Pose ahead = displaced(robot_.motions(), pose, twist);
+    const Pose behind = displaced(robot_.motions(), pose, -twist);
     motion.col(i) = (off(ahead) - off(behind)) / (2.0 * step);
     slopes.col(i) = (slacks(ahead) - slacks(behind)) / (2.0 * step);
   }
@@ -145,7 +145,7 @@ Descent::Local Descent::linearised(const Pose& pose) const {
 Pose Descent::moved(const Pose& pose, const Local& local, const TaskVector& y) const {
   TaskVector twist = y;
   local.metric.matrixU().solveInPlace(twist);
-  return displaced(robot_.task_space(), pose, twist);
+  return displaced(robot_.motions(), pose, twist);
 }
 
 // The nearest pose in reach, by Newton's method; nothing where that does not lead there.

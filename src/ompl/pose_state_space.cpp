@@ -145,6 +145,12 @@ ob::StateSpacePtr made(const Manipulator& manipulator, const std::optional<Box>&
       return made_of_positions<TaskSpace::T3>(manipulator, region);
     case TaskSpace::SO3:
       return std::make_shared<PoseStateSpace<TaskSpace::SO3, ob::SO3StateSpace>>();
+    case TaskSpace::R1:
+    case TaskSpace::R2:
+      throw InvalidDescription(
+          {"OMPL's state spaces are not available for '" + manipulator.name() +
+           "' yet, whose poses are angles of passive joints; plan with `aspects plan` or "
+           "plan_path."});
     case TaskSpace::SE3:
       break;
   }
@@ -176,6 +182,9 @@ Pose pose_of(TaskSpace space, const ob::State& state) noexcept {
     case TaskSpace::SO3:
       pose.orientation = quaternion(*state.as<SO3State>());
       return pose;
+    case TaskSpace::R1:
+    case TaskSpace::R2:
+      return pose;  // no such state is made
     case TaskSpace::SE3:
       break;
   }
@@ -202,6 +211,9 @@ void set_pose(TaskSpace space, const Pose& pose, ob::State& state) noexcept {
     case TaskSpace::SO3:
       set_quaternion(pose.orientation, *state.as<SO3State>());
       return;
+    case TaskSpace::R1:
+    case TaskSpace::R2:
+      return;  // no such state is made
     case TaskSpace::SE3:
       break;
   }

@@ -55,7 +55,7 @@ std::vector<Pose> poses_of(const std::string& name, const Manipulator& manipulat
   const TaskSpace space = manipulator.task_space();
   std::vector<Pose> poses;
   for (const PoseCoordinates& row : rows_of(name, values, coordinate_names(space).size())) {
-    const auto pose = pose_from_coordinates(space, row);
+    const auto pose = pose_from_coordinates(manipulator.motions(), row);
     if (!pose)
       refuse_row(name, poses.size(),
                  "has a number that is not finite or a quaternion of zero length; give finite coordinates.");

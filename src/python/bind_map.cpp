@@ -81,13 +81,13 @@ Array undecided_boxes(const CoreMap& map, const py::object& signs) {
 
 /// The plane that is drawn: all there is in T2, else at that phi, z or torsion, or the slice of the map.
 PosePlane plane_at(const CoreMap& map, double level) {
-  if (!map.map->slice() && map.robot().task_space() == TaskSpace::T1)
+  if (!map.map->slice() && degrees_of_freedom(map.robot().task_space()) == 1)
     throw InvalidDescription(
         {"The map is of a line; there is no plane to draw. boxes(aspect) has its ranges."});
   if (map.map->slice() && map.map->slice()->dimension() != 2)
     throw InvalidDescription(
         {"The slice of the map has not two free coordinates; only planes are drawn. Map a slice with two."});
-  return plane_of(*map.map, PoseSlice(map.robot().task_space(), level));
+  return plane_of(*map.map, PoseSlice(map.robot().motions(), level));
 }
 
 Array points_of(const std::vector<Eigen::Vector2d>& points) {

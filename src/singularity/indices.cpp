@@ -50,7 +50,7 @@ double parallel_index(const Manipulator& manipulator, const Pose& pose, const Jo
     const Eigen::Vector3d u = pose.transform(leg.anchor) - leg.proximal_point(q[j]);
     const Eigen::Vector3d b = pose.orientation * (leg.anchor - anchors.middle);
     auto row = matrix.row(j);
-    write_row(space, b, u, row);
+    write_row(space, lever_at(pose, b), u, row);
     row.head(rotations) /= anchors.distance;
     norms *= space == TaskSpace::T1 ? u.head<2>().norm() : row.norm();
   }

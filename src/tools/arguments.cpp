@@ -21,12 +21,13 @@
 
 namespace parallel_aspects::tools {
 
-Pose parse_pose(const std::string& option, TaskSpace space, const std::string& text, Problems& problems) {
+Pose parse_pose(const std::string& option, const Motions& motions, const std::string& text,
+                Problems& problems) {
   const std::size_t known = problems.size();
-  const std::vector<double> numbers = parse_numbers(option, text, coordinate_names(space), problems);
+  const std::vector<double> numbers = parse_numbers(option, text, coordinate_names(motions.space), problems);
   if (problems.size() > known) return {};
   const auto pose = pose_from_coordinates(
-      space, Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size())));
+      motions, Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size())));
   if (!pose) problems.push_back(option + " has a quaternion of zero length; give a unit quaternion.");
   return pose.value_or(Pose{});
 }

@@ -22,7 +22,8 @@ namespace parallel_aspects::tools {
 
 /// The pose that `text` gives, in the order of `coordinate_names(space)`; where it gives none, messages that
 /// name `option` are added to `problems` and the pose is of no meaning.
-Pose parse_pose(const std::string& option, TaskSpace space, const std::string& text, Problems& problems);
+Pose parse_pose(const std::string& option, const Motions& motions, const std::string& text,
+                Problems& problems);
 
 /// A working mode such as "(+,-)" or "+-"; nothing, with a message, for any other text.
 std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulator& manipulator,

@@ -21,7 +21,7 @@ void TextReader::read(const std::string& option, const std::string& text, double
 }
 
 void TextReader::read(const std::string& option, const std::string& text, Pose& value) {
-  if (robot_ != nullptr) value = parse_pose(option, robot_->task_space(), text, problems_);
+  if (robot_ != nullptr) value = parse_pose(option, robot_->motions(), text, problems_);
 }
 
 void TextReader::read(const std::string& option, const std::string& text, WorkingMode& value) {

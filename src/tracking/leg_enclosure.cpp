@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracking/leg_enclosure.h"
 
+#include "interval/half_turns.h"
+#include "legs/hinges.h"
+
 #include <cmath>
 
 namespace parallel_aspects {
@@ -39,13 +42,51 @@ Interval dot(const IntervalVector& a, const IntervalVector& b) {
 
 Interval squared_norm(const IntervalVector& a) { return square(a[0]) + square(a[1]) + square(a[2]); }
 
-IntervalVector turned(const RotationRows<Interval>* turn, const Eigen::Vector3d& v) {
-  if (turn == nullptr) return {v.x(), v.y(), v.z()};
+IntervalVector turned(const EnclosedPose& pose, const Eigen::Vector3d& v) {
   const IntervalVector w{v.x(), v.y(), v.z()};
-  return {dot((*turn)[0], w), dot((*turn)[1], w), dot((*turn)[2], w)};
+  if (!pose.turns) return w;
+  return {dot(pose.turn[0], w), dot(pose.turn[1], w), dot(pose.turn[2], w)};
 }
 
 }  // namespace
+
+// With r = |b| and d the offset, |p| <= |d| + r =: s is the largest distance from the first axis. In R2
+//   dp = a1 x p dt1 + a2 x b dt2  and  d^2 p = a1 x (a1 x p) dt1^2 + 2 a1 x (a2 x b) dt1 dt2 + a2 x (a2 x b)
+//   dt2^2,  so that  |dp|^2 <= (s^2 + r^2) |dt|^2  and  |d^2 p| <= s (|dt1| + |dt2|)^2 <= 2 s |dt|^2.
+AnchorBounds anchor_bounds(const Manipulator& manipulator) noexcept {
+  assert_rounding_upward();
+  const TaskSpace space = manipulator.task_space();
+  const double length = manipulator.characteristic_length(),
+               offset = std::abs(manipulator.motions().hinges.offset);
+  AnchorBounds bounds;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const Eigen::Vector3d& a = manipulator.leg(j).anchor;
+    const double arm =
+        has_rotation(space) ? std::sqrt(a.x() * a.x() + a.y() * a.y() + a.z() * a.z()) / length : 0.0;
+    if (space == TaskSpace::R2) {
+      const double far = arm + offset / length;
+      bounds.lever[j] = std::sqrt(far * far + arm * arm);
+      bounds.bend[j] = 2.0 * far / length;
+    } else {
+      bounds.lever[j] = has_translation(space) ? std::sqrt(1.0 + arm * arm) : arm;
+      bounds.bend[j] = arm / length;
+    }
+  }
+  return bounds;
+}
+
+EnclosedPose enclosed_pose(const Motions& motions, const Pose& pose) noexcept {
+  if (motions.space == TaskSpace::R2) {
+    const PoseCoordinates angles = pose_coordinates(motions.space, pose);
+    const auto placed =
+        EnclosedHinges(motions.hinges).placed(enclosed_turn(angles[0]), enclosed_turn(angles[1]));
+    return {placed.position, placed.rotation, true};
+  }
+  EnclosedPose result{
+      {pose.position.x(), pose.position.y(), pose.position.z()}, {}, has_rotation(motions.space)};
+  if (result.turns) result.turn = enclosed_rotation(pose.orientation);
+  return result;
+}
 
 LegForm::LegForm(const Leg& leg) noexcept : type_(leg.kind().type), anchor_(leg.anchor) {
   assert_rounding_upward();
@@ -132,12 +173,13 @@ double LegForm::largest_inverse_entry(double rod) const noexcept {
   return rod * point_speed_;
 }
 
-LegEnclosure LegForm::enclose(const Pose& pose, const RotationRows<Interval>* turn, double q) const noexcept {
+LegEnclosure LegForm::enclose(const EnclosedPose& pose, double q) const noexcept {
   LegEnclosure leg;
-  leg.b = turned(turn, anchor_);
-  for (int k = 0; k < 3; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    leg.u[i] = leg.b[i] + pose.position[k] - fixed_[k];
+  leg.lever.arm = turned(pose, anchor_);
+  for (std::size_t i = 0; i < 3; ++i) {
+    leg.lever.point[i] = leg.lever.arm[i] + pose.position[i];
+    leg.lever.axis[i] = pose.turn[i][2];
+    leg.u[i] = leg.lever.point[i] - fixed_[static_cast<Eigen::Index>(i)];
   }
   const Interval squared_length = complete(q, leg);
   leg.half_residual = Interval(0.5) * (squared_norm(leg.u) - squared_length);

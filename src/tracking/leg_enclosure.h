@@ -6,6 +6,7 @@
 #include "interval/rotation_rows.h"
 #include "model/task_space_traits.h"
 #include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <array>
@@ -15,18 +16,41 @@ namespace parallel_aspects {
 
 using IntervalVector = std::array<Interval, 3>;
 
+/// One upper bound, or one enclosure, for each leg.
+using LegBounds = std::array<double, max_legs>;
+
+/// How anchors move with the pose, in the coordinates xi = (L w, v) of `PoseCertifier`, at every pose.
+struct AnchorBounds {
+  LegBounds lever{};  ///< at least |dp| over |xi|
+  LegBounds bend{};   ///< at least |d^2 p| over |xi|^2
+};
+
+/// Needs a live `RoundingUpward`.
+AnchorBounds anchor_bounds(const Manipulator& manipulator) noexcept;
+
+/// A pose, enclosed. In R2 it is the one whose angles are those of the given pose to the last digit, since
+/// rounded positions and quaternions are of no chain.
+struct EnclosedPose {
+  IntervalVector position;
+  RotationRows<Interval> turn;  ///< not filled where the platform does not turn
+  bool turns = false;
+};
+
+/// Needs a live `RoundingUpward`.
+EnclosedPose enclosed_pose(const Motions& motions, const Pose& pose) noexcept;
+
 /// What a leg is at a pose and a joint value, each an enclosure of the real value.
 struct LegEnclosure {
-  IntervalVector b;           ///< anchor from the operational point [m]
-  IntervalVector u;           ///< from the proximal point to the anchor [m]
-  Interval half_residual;     ///< f_j / 2 [m^2]
-  Interval inverse_diagonal;  ///< B_jj
+  Lever<IntervalVector> lever;  ///< of the anchor [m]
+  IntervalVector u;             ///< from the proximal point to the anchor [m]
+  Interval half_residual;       ///< f_j / 2 [m^2]
+  Interval inverse_diagonal;    ///< B_jj
 };
 
 /// A row of A with moments over the characteristic length: of numbers, or what encloses them.
 template <class Scalar, class Vector>
-void write_homogenised_row(TaskSpace space, const Vector& b, const Vector& u, const Scalar& over_length,
-                           std::array<Scalar, max_legs>& row) {
+void write_homogenised_row(TaskSpace space, const Lever<Vector>& b, const Vector& u,
+                           const Scalar& over_length, std::array<Scalar, max_legs>& row) {
   write_row(space, b, u, row);
   for (std::size_t i = 0; i < rotational_degrees_of_freedom(space); ++i) row[i] = row[i] * over_length;
 }
@@ -49,8 +73,7 @@ class LegForm {
   /// rho(q)^2, rounded [m^2].
   double squared_distance(double q) const noexcept;
 
-  /// `turn` is left out where the platform does not turn (null).
-  LegEnclosure enclose(const Pose& pose, const RotationRows<Interval>* turn, double q) const noexcept;
+  LegEnclosure enclose(const EnclosedPose& pose, double q) const noexcept;
 
   /// The largest |B_jj| of a leg whose |u| is `rod`.
   double largest_inverse_entry(double rod) const noexcept;

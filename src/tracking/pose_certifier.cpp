@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracking/pose_certifier.h"
 
+#include "model/angles.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -54,23 +56,14 @@ void invert(std::size_t size, const SquareArray<double>& matrix, SquareArray<dou
 }  // namespace
 
 PoseCertifier::PoseCertifier(const Manipulator& manipulator) noexcept
-    : space_(manipulator.task_space()),
+    : motions_(manipulator.motions()),
       size_(manipulator.leg_count()),
-      rotational_(rotational_degrees_of_freedom(space_)),
+      rotational_(rotational_degrees_of_freedom(motions_.space)),
       length_(manipulator.characteristic_length()),
       scale_(manipulator.size()) {
   const RoundingUpward upward;
-  for (std::size_t j = 0; j < size_; ++j) {
-    legs_[j] = LegForm(manipulator.leg(j));
-    const Eigen::Vector3d& anchor = manipulator.leg(j).anchor;
-    const double arm =
-        rotational_ == 0
-            ? 0.0
-            : std::sqrt(anchor.x() * anchor.x() + anchor.y() * anchor.y() + anchor.z() * anchor.z()) /
-                  length_;
-    lever_[j] = has_translation(space_) ? std::sqrt(1.0 + arm * arm) : arm;
-    arm_[j] = arm / length_;
-  }
+  bounds_ = anchor_bounds(manipulator);
+  for (std::size_t j = 0; j < size_; ++j) legs_[j] = LegForm(manipulator.leg(j));
 }
 
 void PoseCertifier::approximate(const Pose& pose, const JointVector& q, LegBounds& residual,
@@ -82,7 +75,8 @@ void PoseCertifier::approximate(const Pose& pose, const JointVector& q, LegBound
     const Eigen::Vector3d b = turn * legs_[j].anchor();
     const Eigen::Vector3d u = pose.position + b - legs_[j].proximal_point(actuation);
     residual[j] = 0.5 * (u.squaredNorm() - legs_[j].squared_distance(actuation));
-    if (matrix != nullptr) write_homogenised_row(space_, b, u, 1.0 / length_, (*matrix)[j]);
+    const Lever<Eigen::Vector3d> lever{b, pose.position + b, turn.col(2)};
+    if (matrix != nullptr) write_homogenised_row(motions_.space, lever, u, 1.0 / length_, (*matrix)[j]);
   }
 }
 
@@ -96,7 +90,7 @@ Pose PoseCertifier::stepped(const Pose& pose, const Rows& inverse, const LegBoun
   }
   size = step.norm();
   step.head(static_cast<Eigen::Index>(rotational_)) /= length_;
-  return displaced(space_, pose, step);
+  return displaced(motions_, pose, step);
 }
 
 Pose PoseCertifier::predicted(const CertifiedPoint& point, const JointVector& q) const noexcept {
@@ -126,13 +120,11 @@ bool PoseCertifier::refine(CertifiedPoint& point) const noexcept {
 SquareArray<Interval> PoseCertifier::enclosed_matrix(
     const CertifiedPoint& point, std::array<LegEnclosure, max_legs>& legs) const noexcept {
   SquareArray<Interval> matrix;
-  RotationRows<Interval> turn;
-  if (rotational_ > 0) turn = enclosed_rotation(point.pose.orientation);
+  const EnclosedPose pose = enclosed_pose(motions_, point.pose);
   const Interval over_length = reciprocal(Interval(length_));
   for (std::size_t j = 0; j < size_; ++j) {
-    legs[j] = legs_[j].enclose(point.pose, rotational_ > 0 ? &turn : nullptr,
-                               point.q[static_cast<Eigen::Index>(j)]);
-    write_homogenised_row(space_, legs[j].b, legs[j].u, over_length, matrix[j]);
+    legs[j] = legs_[j].enclose(pose, point.q[static_cast<Eigen::Index>(j)]);
+    write_homogenised_row(motions_.space, legs[j].lever, legs[j].u, over_length, matrix[j]);
   }
   return matrix;
 }
@@ -196,7 +188,8 @@ Eigen::Index PoseCertifier::widest(const CertifiedPoint& point, const TaskVector
   TaskVector motion(allowance.size());
   for (std::size_t j = 0; j < size_; ++j) {
     LegBounds entry{};
-    entry[j] = magnitude(point.inverse_diagonal[j]) + lever_[j] * point.rod[j] * legs_[j].point_speed();
+    entry[j] =
+        magnitude(point.inverse_diagonal[j]) + bounds_.lever[j] * point.rod[j] * legs_[j].point_speed();
     motion[static_cast<Eigen::Index>(j)] = spread(point, entry) * allowance[static_cast<Eigen::Index>(j)];
   }
   Eigen::Index widest = 0;
@@ -226,7 +219,7 @@ CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector&
     const double change = share * std::abs(direction[i]) + allowance[i];
     const double motion = legs_[j].point_speed() * change;
     rod[j] = point.rod[j] + motion;
-    row[j] = lever_[j] * motion;
+    row[j] = bounds_.lever[j] * motion;
     bend[j] = 0.5 * legs_[j].joint_curvature(rod[j]) * change * change +
               magnitude(point.inverse_diagonal[j]) * allowance[i];
   }
@@ -237,7 +230,8 @@ CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector&
   // Twice what eta / (1 - g) would do without k, so that half of it is left for k.
   const double radius = std::max(2.0 * moved / gain, least);
   for (std::size_t j = 0; j < size_; ++j)
-    curvature[j] = lever_[j] * lever_[j] + (rod[j] + lever_[j] * radius) * arm_[j];
+    curvature[j] =
+        bounds_.lever[j] * bounds_.lever[j] + (rod[j] + bounds_.lever[j] * radius) * bounds_.bend[j];
   const double bent = spread(point, curvature) * radius;
   const double kept = -(-gain * radius);  // rounded down
   const bool turns_little = rotational_ == 0 || radius <= largest_turn * length_;
@@ -249,11 +243,24 @@ double PoseCertifier::anchor_spread(const CertifiedPoint& point, const TaskVecto
   const CertifiedBall around = ball(point, still, allowance, 0.0, 0.0);
   if (!around.certified) return std::numeric_limits<double>::infinity();
   double squared = 0.0;
-  for (std::size_t j = 0; j < size_; ++j) squared += lever_[j] * lever_[j];
+  for (std::size_t j = 0; j < size_; ++j) squared += bounds_.lever[j] * bounds_.lever[j];
   return around.radius * std::sqrt(squared / static_cast<double>(size_));
 }
 
+// The angles of a pose are those that `enclosed_pose` takes.
+double PoseCertifier::angle_distance(const Pose& a, const Pose& b) const noexcept {
+  const PoseCoordinates first = pose_coordinates(motions_.space, a),
+                        last = pose_coordinates(motions_.space, b);
+  double squared = 0.0;
+  for (int k = 0; k < 2; ++k) {
+    const double way = std::abs(std::remainder(last[k] - first[k], full_turn)) + few_units;
+    squared += way * way;
+  }
+  return length_ * std::sqrt(squared);
+}
+
 double PoseCertifier::distance(const Pose& a, const Pose& b) const noexcept {
+  if (motions_.space == TaskSpace::R2) return angle_distance(a, b);
   double squared = 0.0;
   for (int k = 0; k < 3; ++k) {
     const double up = a.position[k] - b.position[k], down = b.position[k] - a.position[k];
@@ -289,9 +296,9 @@ TaskVector PoseCertifier::entry_sines(const CertifiedPoint& point) const noexcep
 int PoseCertifier::entry_sign(const CertifiedPoint& point, std::size_t leg, double radius,
                               double change) const noexcept {
   assert_rounding_upward();
-  const double rod = point.rod[leg] + lever_[leg] * radius + legs_[leg].point_speed() * change;
+  const double rod = point.rod[leg] + bounds_.lever[leg] * radius + legs_[leg].point_speed() * change;
   const double off =
-      legs_[leg].point_speed() * lever_[leg] * radius + legs_[leg].joint_curvature(rod) * change;
+      legs_[leg].point_speed() * bounds_.lever[leg] * radius + legs_[leg].joint_curvature(rod) * change;
   const Interval entry = point.inverse_diagonal[leg] + Interval(-off, off);
   return entry.positive() ? 1 : entry.negative() ? -1 : 0;
 }
@@ -300,10 +307,9 @@ int PoseCertifier::entry_sign(const CertifiedPoint& point, std::size_t leg, doub
 bool PoseCertifier::assembles_within(const CertifiedPoint& point,
                                      const TaskVector& allowance) const noexcept {
   assert_rounding_upward();
-  RotationRows<Interval> turn;
-  if (rotational_ > 0) turn = enclosed_rotation(point.pose.orientation);
+  const EnclosedPose pose = enclosed_pose(motions_, point.pose);
   const auto half_residual = [&](std::size_t leg, double q) {
-    return legs_[leg].enclose(point.pose, rotational_ > 0 ? &turn : nullptr, q).half_residual;
+    return legs_[leg].enclose(pose, q).half_residual;
   };
   for (std::size_t j = 0; j < size_; ++j) {
     const auto i = static_cast<Eigen::Index>(j);

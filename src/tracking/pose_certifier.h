@@ -12,9 +12,6 @@
 
 namespace parallel_aspects {
 
-/// One upper bound, or one enclosure, for each leg.
-using LegBounds = std::array<double, max_legs>;
-
 /// An approximate direct solution (X, q) and, rounded outward, what a proof about its neighbourhood needs.
 /// `PoseCertifier::evaluate` fills it from `pose` and `q`.
 struct CertifiedPoint {
@@ -36,9 +33,9 @@ struct CertifiedBall {
 
 /// Proves that direct solutions exist, are unique and stay off det A = 0 while actuated joints move.
 ///
-/// Let F_j(xi, q) = f_j / 2 in exponential coordinates xi = (L w, v) about the pose, L the characteristic
-/// length, and C any matrix. T(xi) = xi - C F(xi, q) maps the ball |xi| <= r into itself and contracts there,
-/// for every q that the actuated joints take, if
+/// Let F_j(xi, q) = f_j / 2 in exponential coordinates xi = (L w, v) about the pose, in R2 L times the
+/// changes of both angles, L the characteristic length, and C any matrix. T(xi) = xi - C F(xi, q) maps the
+/// ball |xi| <= r into itself and contracts there, for every q that the actuated joints take, if
 ///
 ///     |C F(0, q)| + g r + k r^2 / 2 <= r    and    g + k r < 1,
 ///
@@ -78,7 +75,7 @@ class PoseCertifier {
   Pose predicted(const CertifiedPoint& point, const JointVector& q) const noexcept;
 
   /// At least the distance sqrt(L^2 angle^2 + |displacement|^2) of two poses that are not half a turn apart
-  /// [m].
+  /// [m]; in R2 L times that of the angles.
   double distance(const Pose& a, const Pose& b) const noexcept;
 
   /// B_jj over the largest that it can be at this |u_j|: the sine of the angle between rod and crank, or
@@ -101,6 +98,7 @@ class PoseCertifier {
 
   CertifiedBall ball(const CertifiedPoint& point, const TaskVector& direction, const TaskVector& allowance,
                      double share, double speed, double least) const noexcept;
+  double angle_distance(const Pose& a, const Pose& b) const noexcept;
   void approximate(const Pose& pose, const JointVector& q, LegBounds& residual, Rows* matrix) const noexcept;
   Pose stepped(const Pose& pose, const Rows& inverse, const LegBounds& residual, double& size) const noexcept;
   bool refine(CertifiedPoint& point) const noexcept;
@@ -109,13 +107,13 @@ class PoseCertifier {
                                         std::array<LegEnclosure, max_legs>& legs) const noexcept;
   double spread(const CertifiedPoint& point, const LegBounds& entries) const noexcept;
 
-  TaskSpace space_;
+  Motions motions_;
   std::size_t size_;        // number of legs
   std::size_t rotational_;  // columns
   double length_;           // characteristic
   double scale_;            // size of the robot
   std::array<LegForm, max_legs> legs_;
-  LegBounds lever_{}, arm_{};  // |dp| over |xi|, and |d^2 p| over |xi|^2
+  AnchorBounds bounds_;
 };
 
 }  // namespace parallel_aspects

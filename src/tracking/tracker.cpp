@@ -187,7 +187,7 @@ std::optional<Box> region_for(const Manipulator& manipulator) {
 // Whether the legs reach all along, but for the ends; as far as some poses tell.
 bool is_reached(const Manipulator& manipulator, const Pose& from, const Pose& to, const WorkingMode& mode) {
   for (int i = 1; i < looks; ++i)
-    if (inverse(manipulator, pose_between(from, to, i / double{looks}), mode).status ==
+    if (inverse(manipulator, pose_between(manipulator.motions(), from, to, i / double{looks}), mode).status ==
         InverseStatus::out_of_reach)
       return false;
   return true;
@@ -234,7 +234,7 @@ bool StandOff::can_distinguish(const Pose& pose, const WorkingMode& mode,
 double StandOff::along_path(const Pose& pose, const Pose& singular, const WorkingMode& mode,
                             const JointVector& bend) const noexcept {
   const auto distinguished_at = [&](double share) {
-    return can_distinguish(pose_between(singular, pose, share), mode, bend);
+    return can_distinguish(pose_between(manipulator_->motions(), singular, pose, share), mode, bend);
   };
   double clear = std::ldexp(1.0, -halvings), hidden = 0.0;  // shares of the path
   while (clear < 1.0 && !distinguished_at(clear)) {
@@ -245,7 +245,8 @@ double StandOff::along_path(const Pose& pose, const Pose& singular, const Workin
     const double between = 0.5 * (clear + hidden);
     (distinguished_at(between) ? clear : hidden) = between;
   }
-  return anchor_distance(*manipulator_, pose_between(singular, pose, clear), singular);
+  return anchor_distance(*manipulator_, pose_between(manipulator_->motions(), singular, pose, clear),
+                         singular);
 }
 
 StandOffEstimate estimate_stand_off(const std::shared_ptr<const Manipulator>& manipulator,

@@ -49,7 +49,7 @@ class HomeSearch {
 
  private:
   std::optional<AssembledConfiguration> at_typed(const Pose& pose) const {
-    const auto typed = as_typed(robot_.task_space(), pose, pose_digits);
+    const auto typed = as_typed(robot_.motions(), pose, pose_digits);
     return typed ? at(*typed) : std::nullopt;
   }
 
@@ -64,7 +64,7 @@ class HomeSearch {
     for (double& entry : coefficients_of(twist)) entry = entries(random);
     const auto turns = static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot_.task_space()));
     twist.tail(twist.size() - turns) *= robot_.size();
-    return displaced(robot_.task_space(), pose, twist);
+    return displaced(robot_.motions(), pose, twist);
   }
 
   const Mechanism::Contents& contents_;
@@ -72,11 +72,11 @@ class HomeSearch {
   std::optional<WorkingMode> mode_;
 };
 
-std::optional<Pose> stated_start(const MechanismConfig& config, TaskSpace space) {
+std::optional<Pose> stated_start(const MechanismConfig& config, const Motions& motions) {
   if (config.start.empty() || config.start.size() > PoseCoordinates::MaxRowsAtCompileTime)
     return std::nullopt;
   return pose_from_coordinates(
-      space,
+      motions,
       Eigen::Map<const Eigen::VectorXd>(config.start.data(), static_cast<Eigen::Index>(config.start.size())));
 }
 
@@ -84,7 +84,7 @@ std::optional<Pose> stated_start(const MechanismConfig& config, TaskSpace space)
 
 void find_home(const MechanismConfig& config, const SourceNames& files, Mechanism::Contents& contents) {
   const HomeSearch search(contents);
-  const auto start = stated_start(config, contents.manipulator->task_space());
+  const auto start = stated_start(config, contents.manipulator->motions());
   if (start) contents.home = search.at(*start);
   if (start && !contents.home) contents.home = search.near(*start);
   if (contents.home) return;

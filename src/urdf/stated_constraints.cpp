@@ -133,7 +133,7 @@ std::optional<std::string> note_on_symmetry(const Mechanism::Contents& contents,
                                             const MechanismConfig& config, const SourceNames& files) {
   const Manipulator& robot = *contents.manipulator;
   const TaskSpace space = robot.task_space();
-  if (config.symmetrize || space == TaskSpace::SE3) return std::nullopt;
+  if (config.symmetrize || space == TaskSpace::SE3 || has_hinges(space)) return std::nullopt;
   const SymmetricLegs found = symmetric_legs(robot, config, usual_tolerance);
   const double size = space == TaskSpace::SO3 ? 1.0 : robot.size();
   if (found.length.amount <= exact * size && found.angle.amount <= exact) return std::nullopt;
@@ -237,6 +237,7 @@ void keep_passive_limits(const Constraints& found, TaskSpace space, const Source
                          Constraints& constraints, Problems& problems) {
   constraints.passive_limits = found.passive_limits;
   constraints.passive_cones = found.passive_cones;
+  constraints.hinge_limits = found.hinge_limits;
   constraints.missing_joints = found.missing_joints;
   if (found.workspace) intersect(*found.workspace, space, files, constraints.workspace, problems);
 }

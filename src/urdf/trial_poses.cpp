@@ -31,7 +31,7 @@ Pose trial_pose(const Mechanism::Contents& contents, double spread, std::mt19937
   TaskVector step(static_cast<Eigen::Index>(manipulator.leg_count()));
   for (double& entry : coefficients_of(step)) entry = entries(random);
   scale_translations(manipulator, step);
-  return displaced(manipulator.task_space(), contents.completion.reference_pose(), step);
+  return displaced(manipulator.motions(), contents.completion.reference_pose(), step);
 }
 
 std::string open_at(const Manipulator& manipulator, const Pose& pose, double gap, const SourceNames& files) {

@@ -61,8 +61,8 @@ TaskMatrix differences_of_inverse(const Manipulator& robot, const JacobianAt& at
   TaskMatrix result(n, n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const TaskVector twist = step * TaskVector::Unit(n, k);
-    const JointVector ahead = inverse(robot, displaced(robot.task_space(), at.pose, twist), *at.mode).q,
-                      behind = inverse(robot, displaced(robot.task_space(), at.pose, -twist), *at.mode).q;
+    const JointVector ahead = inverse(robot, displaced(robot.motions(), at.pose, twist), *at.mode).q,
+                      behind = inverse(robot, displaced(robot.motions(), at.pose, -twist), *at.mode).q;
     for (Eigen::Index j = 0; j < n; ++j) {
       const double moved = ahead[j] - behind[j];
       const bool is_angle = robot.leg(static_cast<std::size_t>(j)).actuated_by_angle();

@@ -33,7 +33,7 @@ Placed placed(const Robot& robot, const Held& held, const std::string& text) {
   PoseCoordinates numbers(static_cast<Eigen::Index>(coordinate_names(robot->task_space()).size()));
   for (Eigen::Index i = 0; i < numbers.size(); ++i) stream >> numbers[i];
   Placed result;
-  result.pose = pose_from_coordinates(robot->task_space(), numbers).value();
+  result.pose = pose_from_coordinates(robot->motions(), numbers).value();
   result.moved = put_onto_slice(test::slice_of(robot, held), *robot, "start", result.pose, result.problems);
   return result;
 }

@@ -42,7 +42,7 @@ class BallSampler {
     for (int i = 0; i < 3; ++i) {
       const double distance = i == 0 ? twist.norm() : anchor_distance(*robot_, center_, pose);
       if (distance > 0.0) twist *= aim / distance;
-      pose = displaced(robot_->task_space(), center_, twist);
+      pose = displaced(robot_->motions(), center_, twist);
     }
     return anchor_distance(*robot_, center_, pose) <= radius ? pose : center_;
   }
@@ -80,7 +80,7 @@ bool crosses_singularity(const Case& each, const Pose& from, const Pose& to, dou
   constexpr int steps = 200;
   if (each.determinant_sign(from) * each.determinant_sign(to) >= 0.0) return false;
   for (int i = 0; i <= steps; ++i) {
-    const Pose between = pose_between(from, to, static_cast<double>(i) / steps);
+    const Pose between = pose_between(each.robot->motions(), from, to, static_cast<double>(i) / steps);
     if (each.determinant_sign(between) == 0.0) return false;
     if (anchor_distance(*each.robot, each.pose, between) > radius) return false;
   }
@@ -249,7 +249,7 @@ TEST(Distances, HoldForRandomRobotsWithMaps) {
         BoundaryDistanceMeter meter(robot, DistanceOptions{0.01, 200}), without(robot);
         meter.use(map);
         for (int k = 0; k < 6; ++k) {
-          const Pose pose = random.pose(space, 0.5);
+          const Pose pose = random.pose(robot->motions(), 0.5);
           const std::vector<WorkingMode> modes = working_modes(*robot);
           const WorkingMode mode = modes[static_cast<std::size_t>(k) % modes.size()];
           if (inverse(*robot, pose, mode).status == InverseStatus::out_of_reach) continue;
@@ -271,7 +271,7 @@ TEST(Distances, HoldForRandomRobots) {
     for (const test::ActuationKind kind : test::all_actuation_kinds)
       for (int i = 0; i < 40; ++i) {
         const Robot robot = random.robot(space, kind);
-        const Pose pose = random.pose(space, 0.5);
+        const Pose pose = random.pose(robot->motions(), 0.5);
         const std::vector<WorkingMode> modes = working_modes(*robot);
         const WorkingMode mode = modes[static_cast<std::size_t>(i) % modes.size()];
         if (inverse(*robot, pose, mode).status == InverseStatus::out_of_reach) continue;

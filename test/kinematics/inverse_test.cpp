@@ -20,7 +20,7 @@ TEST_P(Inverse, AssemblesWithTheSignsOfItsMode) {
   int solved = 0;
   for (int i = 0; i < test::thinned(2000); ++i) {
     const auto robot = random.robot(space, kind);
-    const Pose pose = random.pose(space);
+    const Pose pose = random.pose(robot->motions());
     for (const InverseSolution& solution : inverse_in_all_modes(*robot, pose)) {
       if (solution.status != InverseStatus::solved) continue;
       ++solved;
@@ -43,7 +43,7 @@ TEST_P(Inverse, OutOfReachMeansThatNoDriveValueAssembles) {
   test::RandomRobots random(20260105);
   for (int i = 0; i < test::thinned(300); ++i) {
     const auto robot = random.robot(space, kind);
-    const Pose pose = random.pose(space);
+    const Pose pose = random.pose(robot->motions());
     const Leg& leg = robot->leg(0);
     const bool reachable = squared_inverse_entry(leg, pose.transform(leg.anchor)) >= 0.0;
     bool below = false, above = false;

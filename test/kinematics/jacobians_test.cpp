@@ -23,8 +23,8 @@ TaskMatrix differences_by_pose(const Manipulator& robot, const Pose& pose, const
   TaskMatrix result(n, n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const TaskVector twist = step * TaskVector::Unit(n, k);
-    const Pose ahead = displaced(robot.task_space(), pose, twist);
-    const Pose behind = displaced(robot.task_space(), pose, -twist);
+    const Pose ahead = displaced(robot.motions(), pose, twist);
+    const Pose behind = displaced(robot.motions(), pose, -twist);
     result.col(k) = (residuals(robot, ahead, q) - residuals(robot, behind, q)) / (4.0 * step);
   }
   return result;
@@ -47,7 +47,7 @@ TEST_P(Jacobians, MatchCentralDifferences) {
   test::RandomRobots random(20260102);
   for (int i = 0; i < 2000; ++i) {
     const auto robot = random.robot(space, kind);
-    const Pose pose = random.pose(space);
+    const Pose pose = random.pose(robot->motions());
     JointVector q(static_cast<Eigen::Index>(robot->leg_count()));
     for (double& each : coefficients_of(q)) each = random.uniform(-2.0, 2.0);
     const TaskMatrix a = direct_matrix(*robot, pose, q);
@@ -66,14 +66,14 @@ TEST_P(Jacobians, RelateVelocities) {
   int compared = 0;
   for (int i = 0; i < 4000; ++i) {
     const auto robot = random.robot(space, kind);
-    const Pose pose = random.pose(space);
+    const Pose pose = random.pose(robot->motions());
     const auto n = static_cast<Eigen::Index>(robot->leg_count());
     TaskVector twist(n);
     for (double& each : coefficients_of(twist)) each = random.uniform(-1.0, 1.0);
     const WorkingMode mode = working_modes(*robot).back();
     const InverseSolution here = inverse(*robot, pose, mode);
-    const InverseSolution ahead = inverse(*robot, displaced(space, pose, step * twist), mode);
-    const InverseSolution behind = inverse(*robot, displaced(space, pose, -step * twist), mode);
+    const InverseSolution ahead = inverse(*robot, displaced(robot->motions(), pose, step * twist), mode);
+    const InverseSolution behind = inverse(*robot, displaced(robot->motions(), pose, -step * twist), mode);
     if (here.status != InverseStatus::solved || ahead.q.size() != n || behind.q.size() != n) continue;
     const TaskVector b = inverse_diagonal(*robot, pose, here.q);
     if (b.cwiseAbs().minCoeff() < 0.2) continue;
@@ -95,7 +95,7 @@ TEST_P(Jacobians, HaveEntriesOfBUpToTheLargest) {
   double largest_share = 0.0;
   for (int i = 0; i < 1000; ++i) {
     const auto robot = random.robot(space, kind);
-    const Pose pose = random.pose(space);
+    const Pose pose = random.pose(robot->motions());
     const InverseSolution found = inverse(*robot, pose, working_modes(*robot).front());
     if (found.status != InverseStatus::solved) continue;
     const TaskVector b = inverse_diagonal(*robot, pose, found.q);

@@ -31,7 +31,7 @@ Pose moved(const Manipulator& robot, const Pose& pose, double distance, test::Ra
   twist *= distance / twist.norm();
   twist.head(static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot.task_space()))) /=
       robot.characteristic_length();
-  return displaced(robot.task_space(), pose, twist);
+  return displaced(robot.motions(), pose, twist);
 }
 
 // Robots and configurations at random, in every task space and with every kind of leg. What is proved from a
@@ -43,7 +43,7 @@ TEST(ProvedSolution, IsThatOfTheInverseProblem) {
     for (const TaskSpace space : test::all_task_spaces)
       for (const test::ActuationKind kind : test::all_actuation_kinds) {
         const auto robot = random.robot(space, kind);
-        const Pose pose = random.pose(space);
+        const Pose pose = random.pose(robot->motions());
         const WorkingMode mode = working_modes(*robot).back();
         const InverseSolution given = inverse(*robot, pose, mode);
         if (!given || test::sign_in_doubles(*robot, pose, mode) == 0) continue;
@@ -76,7 +76,7 @@ TEST(ProvedSolution, KnowsWhichValuesAPoseHas) {
       for (const test::ActuationKind kind : test::all_actuation_kinds) {
         const auto robot = random.robot(space, kind);
         CertifiedPoint point;
-        point.pose = random.pose(space);
+        point.pose = random.pose(robot->motions());
         const InverseSolution given = inverse(*robot, point.pose, working_modes(*robot).back());
         if (!given) continue;
         const PoseCertifier certifier(*robot);

@@ -114,7 +114,7 @@ inline void add_touching_witness(const Manipulator& robot, const Pose& pose, Bou
       if (crank == nullptr) continue;
       const Eigen::AngleAxisd turn(shortest_rotation(pose.transform(leg.anchor), side * crank->axis));
       const TaskVector twist = turn.angle() * turn.axis();
-      const Pose there = displaced(robot.task_space(), pose, twist);
+      const Pose there = displaced(robot.motions(), pose, twist);
       const double distance = anchor_distance(robot, pose, there);
       if (!(squared_inverse_entry(leg, there.transform(leg.anchor)) < 1e-9) || !(distance < serial.upper))
         continue;

@@ -54,7 +54,7 @@ class KnownMotion {
       last_q_ = from_.q + t_ * change_;
       return {last_q_, std::nullopt, mode_};
     }
-    const Pose pose = pose_between(from_.pose, to_.pose, t_);
+    const Pose pose = pose_between(robot_->motions(), from_.pose, to_.pose, t_);
     last_q_ = near_last(inverse(*robot_, pose, mode_).q);
     return {last_q_, pose, mode_};
   }
@@ -113,13 +113,13 @@ class KnownMotion {
     const auto turns = static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot_->task_space()));
     for (Eigen::Index i = 0; i < twist.size(); ++i)
       twist[i] = reach * uniform(-1.0, 1.0) * (i < turns ? 1.0 : robot_->size());
-    return displaced(robot_->task_space(), from_.pose, twist);
+    return displaced(robot_->motions(), from_.pose, twist);
   }
 
   Pose nearly_out_of_reach() {
     const Pose far = displaced_by(1.0);
     const SegmentProof proof = certifier_.prove_start(from_.pose, far, mode_);
-    return pose_between(from_.pose, far, std::max(0.0, proof.free_until - 1e-4));
+    return pose_between(robot_->motions(), from_.pose, far, std::max(0.0, proof.free_until - 1e-4));
   }
 
   bool go_to(const Pose& pose) {
@@ -128,7 +128,8 @@ class KnownMotion {
     JointVector before = from_.q;
     constexpr int parts = 256;  // actuated joints do not move evenly along the segment
     for (int i = 1; i <= parts; ++i) {
-      const JointVector q = inverse(*robot_, pose_between(from_.pose, pose, i / double{parts}), mode_).q;
+      const JointVector q =
+          inverse(*robot_, pose_between(robot_->motions(), from_.pose, pose, i / double{parts}), mode_).q;
       largest_change_ =
           std::max(largest_change_, parts * joint_change(*robot_, before, q).cwiseAbs().maxCoeff());
       before = q;

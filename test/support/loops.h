@@ -48,7 +48,7 @@ inline int open_loops(const Mechanism& mechanism, double spread = 0.2) {
     TaskVector step(static_cast<Eigen::Index>(manipulator.leg_count()));
     for (double& entry : coefficients_of(step)) entry = spread * manipulator.size() * number(random);
     if (has_rotation(manipulator.task_space())) step.head(step.size() / 2) /= manipulator.size();
-    const Pose pose = displaced(manipulator.task_space(), mechanism.assembled().pose, step);
+    const Pose pose = displaced(manipulator.motions(), mechanism.assembled().pose, step);
     for (const InverseSolution& solution : inverse_in_all_modes(manipulator, pose)) {
       if (solution.status == InverseStatus::out_of_reach) continue;
       ++tried;

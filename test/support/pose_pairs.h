@@ -65,7 +65,7 @@ class PosePairs {
   std::optional<Pose> nearby(const Pose& from, const WorkingMode& mode) {
     const auto far = reached(mode);
     if (!far) return std::nullopt;
-    const Pose pose = pose_between(from, *far, std::pow(10.0, uniform(-2.0, 0.0)));
+    const Pose pose = pose_between(robot_->motions(), from, *far, std::pow(10.0, uniform(-2.0, 0.0)));
     return sign_in_doubles(*robot_, pose, mode) != 0 ? std::optional<Pose>(pose) : far;
   }
 

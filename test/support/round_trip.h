@@ -72,8 +72,8 @@ inline RoundTrips round_trips(const Manipulator& robot, const Pose& home, double
   RandomRobots random(seed);
   RoundTrips trips;
   for (int tries = 0; trips.made < count && tries < 100 * count; ++tries) {
-    Pose pose = random.pose(robot.task_space(), spread);
-    pose.position += home.position;
+    Pose pose = random.pose(robot.motions(), spread);
+    if (has_translation(robot.task_space())) pose.position += home.position;
     const auto modes = working_modes(robot);
     const auto pick = static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(modes.size())));
     const InverseSolution solution = inverse(robot, pose, modes[std::min(pick, modes.size() - 1)]);

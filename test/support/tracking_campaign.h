@@ -97,7 +97,7 @@ class FineFollower {
       const TaskVector step =
           direct_matrix(robot_, next, q).partialPivLu().solve(-0.5 * residuals(robot_, next, q));
       if (!step.allFinite()) return false;
-      next = displaced(robot_.task_space(), next, step);
+      next = displaced(robot_.motions(), next, step);
       moved = largest_motion(next) / shortest_rod();
       if (!(moved <= 0.05 * value)) return false;
       if (step.norm() < 1e-12 * robot_.size()) {
@@ -177,7 +177,7 @@ class TrackingCampaign {
     TaskVector step(static_cast<Eigen::Index>(robot().leg_count()));
     for (Eigen::Index k = 0; k < step.size(); ++k)
       step[k] = random_.uniform(-1.0, 1.0) * (k < turns ? 0.7 : 0.3 * robot().size());
-    return displaced(robot().task_space(), mechanism_.assembled().pose, step);
+    return displaced(robot().motions(), mechanism_.assembled().pose, step);
   }
 
   std::optional<std::pair<Pose, JointVector>> random_start() {

@@ -144,7 +144,7 @@ class LostSteps {
     TaskVector step(static_cast<Eigen::Index>(robot_->leg_count()));
     for (Eigen::Index k = 0; k < step.size(); ++k)
       step[k] = size * random_.uniform(-1.0, 1.0) * (k < turns ? 1.0 : robot_->size());
-    return displaced(robot_->task_space(), pose, step);
+    return displaced(robot_->motions(), pose, step);
   }
 
   bool start() {

@@ -33,7 +33,8 @@ std::string text(const TriedStep& tried) {
 }
 
 std::optional<TriedStep> random_case(test::RandomRobots& random, TaskSpace space, test::ActuationKind kind) {
-  TriedStep made{random.robot(space, kind), random.pose(space), {}, {}};
+  const auto robot = random.robot(space, kind);
+  TriedStep made{robot, random.pose(robot->motions()), {}, {}};
   const auto modes = working_modes(*made.robot);
   const auto pick = static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(modes.size())));
   const InverseSolution solution = inverse(*made.robot, made.pose, modes[std::min(pick, modes.size() - 1)]);
@@ -66,7 +67,7 @@ Pose at_rim(const Manipulator& robot, const Pose& middle, double radius, test::R
   twist *= radius / twist.norm();
   twist.head(static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot.task_space()))) /=
       robot.characteristic_length();
-  return displaced(robot.task_space(), middle, twist);
+  return displaced(robot.motions(), middle, twist);
 }
 
 // A pose anywhere in the ball.
@@ -157,10 +158,10 @@ TEST(PoseCertifier, EnclosuresHoldTheValuesInDoubles) {
     const TaskVector b = inverse_diagonal(*tried.robot, tried.pose, tried.q);
     const double rounding = 1e-13 * tried.robot->size() * tried.robot->size();
     const RoundingUpward upward;
-    const RotationRows<Interval> turn = enclosed_rotation(tried.pose.orientation);
+    const EnclosedPose pose = enclosed_pose(tried.robot->motions(), tried.pose);
     for (std::size_t j = 0; j < tried.robot->leg_count(); ++j) {
       const auto i = static_cast<Eigen::Index>(j);
-      const LegEnclosure leg = LegForm(tried.robot->leg(j)).enclose(tried.pose, &turn, tried.q[i]);
+      const LegEnclosure leg = LegForm(tried.robot->leg(j)).enclose(pose, tried.q[i]);
       EXPECT_LE(leg.half_residual.lower(), 0.5 * f[i] + rounding) << text(tried);
       EXPECT_GE(leg.half_residual.upper(), 0.5 * f[i] - rounding) << text(tried);
       EXPECT_LT(leg.half_residual.upper() - leg.half_residual.lower(), 100.0 * rounding) << text(tried);
@@ -206,7 +207,7 @@ TEST(PoseCertifier, DistanceBoundsTheLengthOfTheTwist) {
     TaskVector scaled = twist;
     scaled.head(static_cast<Eigen::Index>(rotational_degrees_of_freedom(tried.robot->task_space()))) /=
         tried.robot->characteristic_length();
-    const Pose moved = displaced(tried.robot->task_space(), tried.pose, scaled);
+    const Pose moved = displaced(tried.robot->motions(), tried.pose, scaled);
     const RoundingUpward upward;
     const double distance = certifier.distance(tried.pose, moved);
     EXPECT_GE(distance, radius * (1.0 - 1e-12) - 1e-15) << text(tried);

@@ -137,7 +137,7 @@ struct PlanAnswer {
   std::optional<double> moved_onto_slice;              ///< the farthest of the ends [m]
   std::shared_ptr<const AspectMap> map;                ///< null where no map was asked
   bool loaded = false;                                 ///< from the file
-  PoseBetween between = pose_between;                  ///< how the pose runs from a point to the next
+  PoseBetween between{};                               ///< how the pose runs from a point to the next
   std::optional<Count<1, 10000>> around_cusp;          ///< as asked
   std::optional<std::vector<int>> turns_around_cusps;  ///< by cusp, counter-clockwise
   std::optional<double> encoder_noise;                 ///< `CuspPlanner::followed_noise`

@@ -101,7 +101,7 @@ class SegmentCertifier {
                                           double begin, double end) const noexcept;
 
   /// What is proved of every pose of the task space that is at most so far from this one: by `displacement`
-  /// of the operational point [m] and by `angle` [rad].
+  /// of the operational point [m] and by `angle` [rad]. In R2 both angles change by at most `angle`.
   NeighbourhoodProof prove_around(const Pose& pose, double displacement, double angle,
                                   const WorkingMode& mode) const noexcept;
 

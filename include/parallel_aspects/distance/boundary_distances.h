@@ -157,6 +157,7 @@ class BoundaryDistanceMeter {
   class Searches;
   template <TaskSpace>
   class SearchesIn;
+  class HingeSearches;
 
   std::unique_ptr<Searches> searches_;
 };

@@ -95,6 +95,16 @@ struct PassiveCone {
   BallJointCone cone;  ///< whose angle is half a turn or less
 };
 
+/// The range of a joint of the passive chain of R1 or R2, whose value is a pose coordinate, up to full turns.
+struct HingeLimit {
+  std::string joint;      ///< name of the passive joint
+  std::size_t hinge = 0;  ///< which of the pose coordinates, from 0
+  JointLimits limits;     ///< [rad]
+
+  /// Whether it leaves out any angle.
+  bool is_limited() const noexcept;
+};
+
 /// Widths of the links, which are segments with round ends [m]: a link touches what is closer to its middle
 /// line than half of that.
 struct LinkThickness {
@@ -187,14 +197,15 @@ struct Constraints {
   LinkThickness thickness;                      ///< for self-collision and obstacles
   std::vector<PassiveLimit> passive_limits;     ///< none: passive joints are not limited
   std::vector<PassiveCone> passive_cones;       ///< more limits of passive joints
+  std::vector<HingeLimit> hinge_limits;         ///< still more, of the chain that holds the platform
   std::vector<BallJointCone> cones;             ///< none: rods and struts may lean as they like
   std::optional<SelfCollision> self_collision;  ///< none: links may touch each other
   std::vector<Obstacle> obstacles;              ///< what links and platform must not touch
   std::optional<WorkspaceBox> workspace;        ///< none: the operational point may be anywhere
   Margins margins;                              ///< from singularities
 
-  /// Limited joints that none of `passive_limits` and `passive_cones` stands for, since distances do not tell
-  /// where they are.
+  /// Limited joints that none of `passive_limits`, `passive_cones` and `hinge_limits` stands for, since
+  /// distances do not tell where they are.
   std::vector<std::string> missing_joints;
 };
 

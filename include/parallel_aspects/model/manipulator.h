@@ -24,6 +24,7 @@ struct ManipulatorDescription {
   std::string base_frame = "base_link";  ///< link that `task_frame` is given in
   Eigen::Isometry3d task_frame = Eigen::Isometry3d::Identity();  ///< task frame in the base frame [m]
   Constraints constraints{};                                     ///< none by default
+  HingePair hinges{};                                            ///< what holds the platform, in R2
 };
 
 /// A fully parallel manipulator (Definition 1 of the paper) with one distance equation a leg. Immutable.
@@ -36,12 +37,14 @@ class Manipulator {
 
   /// What it was made of; what follows are parts of it.
   const ManipulatorDescription& description() const noexcept { return description_; }
-  const std::string& name() const noexcept { return description_.name; }        ///< for people and messages
-  TaskSpace task_space() const noexcept { return description_.task_space; }     ///< where the platform moves
-  const std::vector<Leg>& legs() const noexcept { return description_.legs; }   ///< see `JointVector`
-  const Leg& leg(std::size_t index) const { return description_.legs[index]; }  ///< below `leg_count()`
-  std::size_t leg_count() const noexcept { return description_.legs.size(); }   ///< 1 to `max_legs`
-  const std::string& base_frame() const noexcept { return description_.base_frame; }    ///< as tf names it
+  const std::string& name() const noexcept { return description_.name; }     ///< for people and messages
+  TaskSpace task_space() const noexcept { return description_.task_space; }  ///< where the platform moves
+  /// The task space with the passive chain that it stands on in R2.
+  Motions motions() const noexcept { return {description_.task_space, description_.hinges}; }
+  const std::vector<Leg>& legs() const noexcept { return description_.legs; }         ///< see `JointVector`
+  const Leg& leg(std::size_t index) const { return description_.legs[index]; }        ///< below `leg_count()`
+  std::size_t leg_count() const noexcept { return description_.legs.size(); }         ///< 1 to `max_legs`
+  const std::string& base_frame() const noexcept { return description_.base_frame; }  ///< as tf names it
   const Constraints& constraints() const noexcept { return description_.constraints; }  ///< none by default
 
   /// In the base frame.

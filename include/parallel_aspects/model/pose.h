@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,7 +14,7 @@
 
 namespace parallel_aspects {
 
-/// The motions that the platform can make, as a subgroup of rigid motions in the task frame.
+/// The motions that the platform can make in the task frame.
 enum class TaskSpace {
   T1,   ///< translations along the x axis: x
   T2,   ///< translations in the x-y plane: x, y
@@ -21,30 +22,63 @@ enum class TaskSpace {
   T3,   ///< translations in space: x, y, z
   SO3,  ///< rotations about the origin of the task frame
   SE3,  ///< all rigid motions
+  R1,   ///< turns about the z axis, which one passive revolute joint leaves: theta
+  R2,   ///< what a passive chain of two revolute joints leaves: theta1, theta2 (see `HingePair`)
 };
 
-/// Number of degrees of freedom: 1, 2, 3, 3, 3, 6. Equals the number of legs of a fully parallel manipulator.
+/// The passive chain of R2. The first joint turns about the z axis of the task frame. Where its angle is 0,
+/// the axis of the second joint goes through the point (offset, 0, 0) and is the z axis turned by `twist`
+/// about x. The platform frame has its origin in that point of the second axis and its z along it; where both
+/// angles are 0 its x axis is that of the task frame. So
+///
+///     X(theta1, theta2) = Rz(theta1) Tx(offset) Rx(twist) Rz(theta2)
+///
+/// (Denavit and Hartenberg). The axes meet where `offset` is 0.
+struct HingePair {
+  double offset = 0.0;  ///< along the common normal of the axes [m], of any sign
+  double twist = std::numeric_limits<double>::quiet_NaN();  ///< between the axes, between 0 and pi [rad]
+};
+
+/// A task space, and what has to be known to move in it. A task space alone will do, but for R2: there every
+/// pose that is made without its chain is not a number.
+struct Motions {
+  TaskSpace space = TaskSpace::T2;  ///< which motions
+  HingePair hinges{};               ///< of R2
+
+  Motions() = default;                                   ///< T2
+  Motions(TaskSpace of) noexcept : space(of) {}          // NOLINT: all that most task spaces need
+  Motions(TaskSpace of, const HingePair& pair) noexcept  ///< of R2
+      : space(of), hinges(pair) {}
+};
+
+/// Number of degrees of freedom: 1, 2, 3, 3, 3, 6, 1, 2. Equals the number of legs of a fully parallel
+/// manipulator.
 std::size_t degrees_of_freedom(TaskSpace space) noexcept;
 
-/// "T1", "T2", "SE2", "T3", "SO3" or "SE3".
+/// "T1", "T2", "SE2", "T3", "SO3", "SE3", "R1" or "R2".
 std::string_view name(TaskSpace space) noexcept;
 
 /// The task space of that name; nothing for any other text.
 std::optional<TaskSpace> task_space_named(std::string_view text) noexcept;
 
-/// Names of the pose coordinates, in the order of `pose_coordinates`: x, y, z [m], phi [rad], qx, qy, qz, qw.
+/// Names of the pose coordinates, in the order of `pose_coordinates`: x, y, z [m], phi [rad], qx, qy, qz, qw,
+/// theta, theta1, theta2 [rad].
 const std::vector<std::string>& coordinate_names(TaskSpace space);
 
 /// How many of the degrees of freedom are rotations; they come first in a twist and in the columns of A.
 std::size_t rotational_degrees_of_freedom(TaskSpace space) noexcept;
 
-/// Whether the platform can turn (SE2, SO3, SE3).
+/// Whether the platform can turn (SE2, SO3, SE3, R1, R2).
 bool has_rotation(TaskSpace space) noexcept;
 
-/// Whether the platform can move away (all but SO3).
+/// Whether positions are among the pose coordinates (all but SO3, R1, R2).
 bool has_translation(TaskSpace space) noexcept;
 
-/// Unit of a volume in the space of poses: "m", "m^2", "m^2 rad", "m^3", "rad^3" or "m^3 rad^3".
+/// Whether poses are angles of passive revolute joints (R1, R2).
+bool has_hinges(TaskSpace space) noexcept;
+
+/// Unit of a volume in the space of poses: "m", "m^2", "m^2 rad", "m^3", "rad^3", "m^3 rad^3", "rad" or
+/// "rad^2".
 std::string_view measure_unit(TaskSpace space) noexcept;
 
 /// No task space has more degrees of freedom, so no fully parallel manipulator has more legs.
@@ -62,7 +96,8 @@ using TaskMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::
 /// X of the paper: where the platform frame stands in the task frame.
 ///
 /// The platform frame has its origin at the operational point. In a task space without rotation its axes stay
-/// parallel to those of the task frame; in SO3 its origin stays at that of the task frame.
+/// parallel to those of the task frame; in SO3 and R1 its origin stays at that of the task frame. In R2 it is
+/// where `HingePair` says.
 struct Pose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< operational point [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< unit quaternion
@@ -82,17 +117,20 @@ PoseCoordinates pose_coordinates(TaskSpace space, const Pose& pose);
 
 /// The pose with these coordinates; its quaternion is normalised.
 /// Nothing when the count is wrong, a coordinate is not finite or the quaternion is zero.
-std::optional<Pose> pose_from_coordinates(TaskSpace space, const PoseCoordinates& coordinates);
+std::optional<Pose> pose_from_coordinates(const Motions& motions, const PoseCoordinates& coordinates);
 
 /// The pose reached from `pose` by the small motion `twist` = (w, v): rotation vector [rad] in the task
-/// frame, then displacement of the operational point [m]; only the parts that `space` moves, so
-/// `degrees_of_freedom(space)` numbers.
-Pose displaced(TaskSpace space, const Pose& pose, const TaskVector& twist);
+/// frame, then displacement of the operational point [m]; only the parts that the task space moves, so
+/// `degrees_of_freedom(space)` numbers. In R2 these are the changes of both angles [rad].
+Pose displaced(const Motions& motions, const Pose& pose, const TaskVector& twist);
 
 /// The pose at t (0 to 1) on the segment from one pose to another: the position runs straight, the quaternion
 /// runs straight the short way and is normalised. So it is rational in t, and stays in each task space that
-/// holds both ends.
+/// holds both ends, but R2.
 Pose pose_between(const Pose& from, const Pose& to, double t) noexcept;
+
+/// The same in every task space: in R2 both angles run evenly, the short way.
+Pose pose_between(const Motions& motions, const Pose& from, const Pose& to, double t) noexcept;
 
 /// The quaternion (x, y, z, w) of `to`, on the side of that of `from`.
 Eigen::Vector4d nearer_quaternion(const Pose& from, const Pose& to) noexcept;

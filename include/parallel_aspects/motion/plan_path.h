@@ -181,6 +181,11 @@ std::optional<RoadmapGraph> compute_roadmap_graph(const PoseRoadmap& roadmap, co
 /// The pose at t, 0 to 1, between two points of a path: `pose_between`, or that of the planner.
 using PoseBetween = std::function<Pose(const Pose& from, const Pose& to, double t)>;
 
+/// `pose_between` of these motions.
+inline PoseBetween between_poses(const Motions& motions) {
+  return [motions](const Pose& from, const Pose& to, double t) { return pose_between(motions, from, to, t); };
+}
+
 /// A planned path in time.
 struct TimedPath {
   /// Positions and velocities of the actuated joints, from rest to rest, and no accelerations: between them

@@ -4,6 +4,7 @@
 #include "aspects/boxes/chart_classifier.h"
 #include "aspects/boxes/charts.h"
 #include "aspects/boxes/held_joint_chart.h"
+#include "aspects/boxes/hinge_chart.h"
 #include "aspects/boxes/slice_chart.h"
 #include "parallel_aspects/model/constraints.h"
 
@@ -36,6 +37,10 @@ std::unique_ptr<const BoxClassifier> make_box_classifier(const Manipulator& mani
       return std::make_unique<const ChartClassifier<T3Chart>>(manipulator, modes, policy);
     case TaskSpace::SO3:
       return std::make_unique<const ChartClassifier<SO3Chart>>(manipulator, modes, policy);
+    case TaskSpace::R1:
+      return std::make_unique<const ChartClassifier<R1Chart>>(manipulator, modes, policy);
+    case TaskSpace::R2:
+      return std::make_unique<const ChartClassifier<R2Chart>>(manipulator, modes, policy);
     case TaskSpace::SE3:
       break;
   }

@@ -206,6 +206,8 @@ class BoxSlopes {
     const auto require = [&monotonicity](const Slope& f) { require_positive(f, monotonicity); };
     if (forms_.constraint(ConstraintKind::workspace, signs) != Verdict::holds)
       tests().for_each_workspace_function(legs_.position(), require);
+    if (forms_.constraints().hinge_limits(forms_.legs()) != Verdict::holds)
+      tests().for_each_hinge_function(legs_, require);
     for (std::size_t j = 0; j < leg_count; ++j) {
       if (both(forms_.constraints().passive_limits(j, signs[j], forms_.legs()),
                forms_.constraints().cones(j, signs[j], forms_.legs())) == Verdict::holds)

@@ -97,6 +97,7 @@ class PointConditions {
     if (tests.none()) return;
     const auto add = [&result](const Slope& function) { result.add(condition(function)); };
     tests.for_each_workspace_function(legs_.position(), add);
+    tests.for_each_hinge_function(legs_, add);
     if (tests.has_platform()) tests.for_each_clearance(legs_.anchors(), add);
     for (std::size_t j = 0; j < leg_count; ++j) {
       const Points* points = legs_.points(j, signs[j]);

@@ -32,7 +32,7 @@ class SliceLegs : public ChartLegs<SpatialLeg, Dimension> {
                                   const Displacement<Scalar>& d, const Placement&) const {
     return with_task_space(space_, [&](auto constant) -> LegRows<Scalar, leg_count> {
       constexpr TaskSpace space = decltype(constant)::value;
-      if constexpr (traits(space).degrees_of_freedom() == leg_count)
+      if constexpr (traits(space).degrees_of_freedom() == leg_count && !is_of_hinges(space))
         return leg_rows<space>(form, d.anchor);
       else
         return {};  // not this robot's

@@ -65,6 +65,13 @@ class Configuration {
       const double off = std::remainder(value - 0.5 * (range.lower + range.upper), 2.0 * EIGEN_PI);
       least = std::min(least, 0.5 * (range.upper - range.lower) - std::abs(off));
     }
+    for (const HingeLimit& limit : constraints_.hinge_limits) {
+      const JointLimits& range = limit.limits;
+      const double value =
+          pose_coordinates(robot_.task_space(), pose_)[static_cast<Eigen::Index>(limit.hinge)];
+      const double off = std::remainder(value - 0.5 * (range.lower + range.upper), 2.0 * EIGEN_PI);
+      least = std::min(least, 0.5 * (range.upper - range.lower) - std::abs(off));
+    }
     for (const PassiveCone& limit : constraints_.passive_cones) least = std::min(least, in_cone(limit.cone));
     return least;
   }

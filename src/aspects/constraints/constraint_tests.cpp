@@ -2,6 +2,7 @@
 #include "aspects/constraints/constraint_tests.h"
 
 #include "aspects/constraints/separation.h"
+#include "interval/half_turns.h"
 
 #include <algorithm>
 
@@ -44,6 +45,8 @@ ConstraintTests<D>::ConstraintTests(const Manipulator& manipulator)
     passive_limits_[limit.leg].push_back({limit.angle, AngleLimits(limit.limits, limit.offset, limit.sense)});
   for (const PassiveCone& limit : constraints.passive_cones)
     passive_cones_[limit.cone.leg].emplace_back(limit.cone, manipulator.leg(limit.cone.leg));
+  for (const HingeLimit& limit : constraints.hinge_limits)
+    if (limit.is_limited()) add(limit, manipulator.motions());
   for (const BallJointCone& cone : constraints.cones)
     cones_[cone.leg].emplace_back(cone, manipulator.leg(cone.leg));
   if (constraints.self_collision) add_pairs(manipulator);
@@ -51,6 +54,32 @@ ConstraintTests<D>::ConstraintTests(const Manipulator& manipulator)
     std::visit([this](const auto& shape) { add(shape); }, obstacle.shape);
   if (constraints.thickness.platform) add_platform(manipulator);
   if (constraints.workspace) set_workspace(*constraints.workspace, directions(manipulator.task_space()));
+}
+
+// With s = sin(twist), the z axis of the platform is s (sin theta1, -cos theta1, .) in the base, and that of
+// the base s (sin theta2, cos theta2, .) in the platform.
+template <std::size_t D>
+void ConstraintTests<D>::add(const HingeLimit& limit, const Motions& motions) {
+  const Interval half(0.5), lower(limit.limits.lower), upper(limit.limits.upper), zero(0.0), one(1.0);
+  const Turn<Interval> middle = enclosed_turn(0.0, 1.0, half * (lower + upper));
+  const Turn<Interval> width = enclosed_turn(0.0, 1.0, half * (upper - lower));
+  std::array<Interval, 3> in_base{middle.cosine, middle.sine, zero}, in_platform{one, zero, zero};
+  Interval least = width.cosine;
+  if (motions.space == TaskSpace::R2) {
+    least = least * enclosed_turn(motions.hinges.twist).sine;
+    const std::array<Interval, 3> z_axis{zero, zero, one};
+    const bool first = limit.hinge == 0;
+    const std::array<Interval, 3> across{middle.sine, first ? -middle.cosine : middle.cosine, zero};
+    in_base = first ? across : z_axis;
+    in_platform = first ? z_axis : across;
+  }
+  HingeTest test;
+  for (std::size_t i = 0; i < D; ++i) {
+    test.in_base[i] = in_base[i];
+    test.in_platform[i] = in_platform[i];
+  }
+  test.least = least;
+  hinge_limits_.push_back(test);
 }
 
 template <std::size_t D>

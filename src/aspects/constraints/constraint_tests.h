@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -41,6 +42,7 @@ class ConstraintTests {
   bool has_passive_limits(std::size_t leg) const noexcept {
     return !passive_limits_[leg].empty() || !passive_cones_[leg].empty();
   }
+  bool has_hinge_limits() const noexcept { return !hinge_limits_.empty(); }
   bool has_cones(std::size_t leg) const noexcept { return !cones_[leg].empty(); }
   bool can_collide(std::size_t leg, std::size_t other) const noexcept { return !pairs_[leg][other].empty(); }
 
@@ -63,6 +65,27 @@ class ConstraintTests {
       action(position[i] - Scalar(workspace_lower_[i]));
       action(Scalar(workspace_upper_[i]) - position[i]);
     }
+  }
+
+  /// Functions that are positive where the joints of the passive chain of R1 or R2 are within their limits;
+  /// `robot` turns what is fixed in the platform.
+  template <class Robot, class Action>
+  void for_each_hinge_function(const Robot& robot, const Action& action) const {
+    for (const HingeTest& test : hinge_limits_) {
+      const auto turned = robot.turned(test.in_platform);
+      auto along = test.in_base[0] * turned[0] + test.in_base[1] * turned[1];
+      if constexpr (D == 3) along = along + test.in_base[2] * turned[2];
+      action(along - std::decay_t<decltype(along)>(test.least));
+    }
+  }
+
+  /// Whether they are.
+  template <class Robot>
+  Verdict hinge_limits(const Robot& robot) const {
+    Verdict result = Verdict::holds;
+    for_each_hinge_function(
+        robot, [&result](const auto& value) { result = both(result, is_positive(range_of(value))); });
+    return result;
   }
 
   /// The limits of each passive joint of a leg, as functions; `robot` turns what is fixed in the platform.
@@ -195,6 +218,13 @@ class ConstraintTests {
     PassiveAngle angle;
     AngleLimits limits;
   };
+  /// A direction of the platform that must not turn farther from one of the base:  in_base . R in_platform >=
+  /// least. In R1, and for either joint of R2 times the sine of `twist`, the left side is the cosine of the
+  /// angle from the middle of its range.
+  struct HingeTest {
+    Point<Interval, D> in_base, in_platform;
+    Interval least;
+  };
   struct Ball {
     Point<Interval, D> center;
     Interval radius;
@@ -209,6 +239,7 @@ class ConstraintTests {
   void add(const BoxObstacle& box);
   void add_pairs(const Manipulator& manipulator);
   void add_platform(const Manipulator& manipulator);
+  void add(const HingeLimit& limit, const Motions& motions);
   void set_workspace(const WorkspaceBox& box, std::size_t count);
 
   template <class Scalar, class Robot>
@@ -312,6 +343,7 @@ class ConstraintTests {
   std::vector<std::vector<PassiveTest>> passive_limits_;        // by leg
   std::vector<std::vector<RodCone<D>>> passive_cones_, cones_;  // by leg
   std::vector<std::vector<std::vector<LinkPair>>> pairs_;       // by leg and a leg after it
+  std::vector<HingeTest> hinge_limits_;
   std::vector<bool> has_crank_;
   std::vector<std::variant<Ball, Box>> obstacles_;
   std::vector<std::array<std::size_t, 2>> platform_sides_;  // by the legs of their anchors

@@ -47,7 +47,8 @@ class ConstraintVerdicts {
       case ConstraintKind::workspace:
         return settle(workspace_, [&] { return tests_.workspace(links.position()); });
       case ConstraintKind::passive_limits:
-        return of_all_legs([&](std::size_t j) { return passive_limits(j, signs[j], links); });
+        return both(hinge_limits(links),
+                    of_all_legs([&](std::size_t j) { return passive_limits(j, signs[j], links); }));
       case ConstraintKind::cones:
         return of_all_legs([&](std::size_t j) { return cones(j, signs[j], links); });
       case ConstraintKind::obstacles:
@@ -60,6 +61,13 @@ class ConstraintVerdicts {
         break;
     }
     return Verdict::holds;
+  }
+
+  /// Of the passive chain that holds the platform.
+  template <class Links>
+  Verdict hinge_limits(const Links& links) {
+    if (!tests_.has_hinge_limits()) return Verdict::holds;
+    return settle(hinge_limits_, [&] { return tests_.hinge_limits(links); });
   }
 
   /// Of one leg.
@@ -136,7 +144,7 @@ class ConstraintVerdicts {
 
   const ConstraintTests<D>& tests_;
   std::uint8_t stage_ = 1;
-  Entry workspace_, platform_;
+  Entry workspace_, platform_, hinge_limits_;
   std::array<std::array<Entry, 2>, Legs> passive_limits_, cones_, obstacles_;
   std::array<std::array<std::array<Entry, 4>, Legs>, Legs> collisions_;
 };

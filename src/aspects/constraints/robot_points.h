@@ -37,7 +37,7 @@ struct RobotPoints {
 /// What is proved of all constraints but the limits of actuated joints.
 template <class Scalar, std::size_t D>
 Verdict verdict(const ConstraintTests<D>& tests, const RobotPoints<Scalar, D>& robot) {
-  Verdict result = tests.workspace(robot.position);
+  Verdict result = both(tests.workspace(robot.position), tests.hinge_limits(robot));
   std::array<Point<Scalar, D>, max_legs> anchors;
   for (std::size_t j = 0; j < robot.leg_count && result != Verdict::fails; ++j) {
     anchors[j] = robot.legs[j].anchor;
@@ -57,6 +57,7 @@ std::optional<ConstraintKind> find_failing(const ConstraintTests<D>& tests,
                                            const RobotPoints<Scalar, D>& robot) {
   const auto fails = [](Verdict verdict) { return verdict == Verdict::fails; };
   if (fails(tests.workspace(robot.position))) return ConstraintKind::workspace;
+  if (fails(tests.hinge_limits(robot))) return ConstraintKind::passive_limits;
   std::array<Point<Scalar, D>, max_legs> anchors;
   for (std::size_t j = 0; j < robot.leg_count; ++j) {
     anchors[j] = robot.legs[j].anchor;

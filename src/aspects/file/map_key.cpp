@@ -59,6 +59,9 @@ std::string constraint_key(const Constraints& constraints) {
   for (const PassiveLimit& limit : constraints.passive_limits) key += line(limit);
   for (const PassiveCone& limit : constraints.passive_cones)
     key += "passive joint '" + printable(limit.joint) + "', cone of " + line(limit.cone);
+  for (const HingeLimit& limit : constraints.hinge_limits)
+    key += "hinge '" + printable(limit.joint) + "', theta" + std::to_string(limit.hinge + 1) +
+           numbers({limit.limits.lower, limit.limits.upper}) + "\n";
   for (const BallJointCone& cone : constraints.cones) key += "cone of " + line(cone);
   const bool links = constraints.self_collision || !constraints.obstacles.empty();
   if (links)
@@ -132,6 +135,9 @@ std::string map_key(const Manipulator& manipulator, const Box& region, double re
                     std::uint32_t deepest_level) {
   std::string key = "robot '" + printable(manipulator.name()) + "'\n";
   key += "task space " + std::string(name(manipulator.task_space())) + "\n";
+  if (manipulator.task_space() == TaskSpace::R2)
+    key +=
+        "hinges" + numbers({manipulator.motions().hinges.offset, manipulator.motions().hinges.twist}) + "\n";
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) key += LegLines(manipulator.leg(j), j).text();
   key += constraint_key(manipulator.constraints());
   for (std::size_t i = 0; i < region.dimension; ++i)

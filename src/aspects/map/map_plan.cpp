@@ -232,7 +232,7 @@ std::shared_ptr<const PoseSpace> make_space(const Manipulator& manipulator, cons
   const double length = manipulator.characteristic_length();
   if (plan.slice && plan.slice->joint) return make_held_joint_space(manipulator, *plan.slice);
   if (plan.slice) return make_slice_space(*plan.slice, positions, length);
-  return make_pose_space(manipulator.task_space(), positions, length);
+  return make_pose_space(manipulator.motions(), positions, length);
 }
 
 double default_resolution_of_slice(const Manipulator& manipulator, const MapSlice& slice) {
@@ -287,6 +287,7 @@ std::string make_map_plan(const Manipulator& manipulator, const MapOptions& opti
 
 double default_resolution(const Manipulator& manipulator, const std::optional<MapSlice>& slice) noexcept {
   if (slice) return default_resolution_of_slice(manipulator, *slice);
+  if (has_hinges(manipulator.task_space())) return manipulator.leg_count() == 1 ? 0.01 : default_angle(2);
   const double parts = traits(manipulator.task_space()).resolution_parts;
   return parts > 0.0 ? manipulator.size() / parts : 0.1;
 }

@@ -106,7 +106,15 @@ PoseSampler::Positions PoseSampler::positions(const Eigen::Quaterniond& orientat
   return box;
 }
 
+std::optional<Pose> PoseSampler::at_random_angles() {
+  const double largest = std::min(largest_rotation_, static_cast<double>(EIGEN_PI));
+  PoseCoordinates angles(static_cast<Eigen::Index>(manipulator_->leg_count()));
+  for (Eigen::Index i = 0; i < angles.size(); ++i) angles[i] = largest * uniform(-1.0, 1.0);
+  return pose_from_coordinates(manipulator_->motions(), angles);
+}
+
 std::optional<Pose> PoseSampler::draw() {
+  if (has_hinges(manipulator_->task_space())) return at_random_angles();
   Pose pose;
   pose.orientation = orientation();
   if (!has_translation(manipulator_->task_space())) return pose;

@@ -22,8 +22,8 @@ namespace parallel_aspects {
 class PoseSampler {
  public:
   /// Positions are kept in the workspace of its constraints, and in `region` where one is given: as many of
-  /// x, y, z as it moves [m]. Orientations turn
-  /// from the identity by at most `largest_rotation` [rad].
+  /// x, y, z as it moves [m]. Orientations turn from the identity by at most `largest_rotation` [rad], and
+  /// hinges of R1 and R2 from zero.
   PoseSampler(std::shared_ptr<const Manipulator> manipulator, std::uint64_t seed,
               const std::optional<Box>& region, double largest_rotation);
 
@@ -38,6 +38,7 @@ class PoseSampler {
 
   double uniform(double lower, double upper);
   Eigen::Quaterniond orientation();
+  std::optional<Pose> at_random_angles();
   double angle(double largest);
   Eigen::Vector3d axis();
   Positions positions(const Eigen::Quaterniond& orientation) const;

@@ -6,6 +6,7 @@
 #include "interval/path_form.h"
 #include "interval/rotation_rows.h"
 #include "legs/determinant.h"
+#include "legs/hinges.h"
 #include "legs/link_points.h"
 #include "legs/spatial_leg.h"
 #include "parallel_aspects/model/pose.h"
@@ -17,23 +18,24 @@
 namespace parallel_aspects {
 
 /// Enclosures of the poses of a segment (see `pose_between`). A quaternion stands for its direction, so it
-/// need not be of unit length to the last digit.
+/// need not be of unit length to the last digit; in R2 poses stand for their angles.
 class PoseSegment {
  public:
   /// Position [m] and rows of the rotation matrix.
-  struct Placement {
-    Spatial<PathForm> position;
-    RotationRows<PathForm> rotation;
-  };
+  using Placement = HingePlacement<PathForm>;
 
   /// Both poses must be finite, and their quaternions about unit length. Needs a live `RoundingUpward`.
-  PoseSegment(const Pose& from, const Pose& to) noexcept;
+  PoseSegment(const Motions& motions, const Pose& from, const Pose& to) noexcept;
 
   /// Encloses the poses of a part of the segment; false, and nothing, where the part is too long for it.
   /// Needs a live `RoundingUpward`.
   bool place(const PathForm& t, Placement& placement) const noexcept;
 
  private:
+  bool place_by_hinges(const PathForm& t, Placement& placement) const noexcept;
+
+  Motions motions_;
+  std::array<Interval, 2> angles_, turns_;  // of R2, at the start and from there to the end [rad]
   Spatial<Interval> position_, travel_;
   std::array<Interval, 4> quaternion_, quaternion_change_;  // x, y, z, w
 };

@@ -246,7 +246,7 @@ void PathSearch::explore(Vertex from, Vertex to, std::size_t most_draws) {
     const SegmentProof proof = certifier.prove_start(poses_[near], *target, mode_, max_parts_of_a_segment);
     const double kept = proof.verdict == SegmentVerdict::free ? 1.0 : share_kept * proof.free_until;
     if (kept < shortest_path) continue;
-    const Vertex reached = add(pose_between(poses_[near], *target, kept));
+    const Vertex reached = add(pose_between(certifier.manipulator()->motions(), poses_[near], *target, kept));
     if (link(near, reached)) attach(reached, tries_to_join);
   }
 }

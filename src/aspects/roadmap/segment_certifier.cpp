@@ -282,7 +282,10 @@ class SegmentCertifier::Evaluation {
       const PathForm turned = entry * form.turned[i];
       u[i] = mode_.sign(j) > 0 ? form.fixed[i] + turned : form.fixed[i] - turned;
     }
-    write_row(space_, b, u, rows_[j]);
+    Lever<Spatial<PathForm>> lever{b, {}, placement.axis()};
+    if (space_ == TaskSpace::R2)
+      for (std::size_t i = 0; i < 3; ++i) lever.point[i] = placement.position[i] + b[i];
+    write_row(space_, lever, u, rows_[j]);
     return true;
   }
 
@@ -319,7 +322,7 @@ ConfigurationProof SegmentCertifier::prove(const Pose& pose, const WorkingMode& 
   for (std::size_t j = 0; j < parts_->legs.size(); ++j)
     if (!manipulator_->leg(j).has_branch(mode.sign(j))) return {0, Violation::out_of_reach, {}, j};
   const RoundingUpward rounding;
-  return Evaluation(*this, {pose, pose}, mode).at(0.0);
+  return Evaluation(*this, PoseSegment(manipulator_->motions(), pose, pose), mode).at(0.0);
 }
 
 SegmentProof SegmentCertifier::prove(const Pose& from, const Pose& to, const WorkingMode& mode,
@@ -349,7 +352,7 @@ SegmentProof SegmentCertifier::prove_to_violation(const Pose& from, const Pose& 
       mode.leg_count() != parts_->legs.size())
     return {};
   const RoundingUpward rounding;
-  const PoseSegment segment(from, to);
+  const PoseSegment segment(manipulator_->motions(), from, to);
   Evaluation evaluation(*this, segment, mode);
   if (begin > 0.0) start = evaluation.at(begin);
   if (start.proved_violation != Violation::none)
@@ -368,7 +371,7 @@ std::optional<SpeedBounds> SegmentCertifier::joint_speeds(const Pose& from, cons
       mode.leg_count() != parts_->legs.size() || !(begin < end))
     return std::nullopt;
   const RoundingUpward rounding;
-  return Evaluation(*this, {from, to}, mode).speeds(begin, end);
+  return Evaluation(*this, PoseSegment(manipulator_->motions(), from, to), mode).speeds(begin, end);
 }
 
 NeighbourhoodProof SegmentCertifier::prove_around(const Pose& pose, double displacement, double angle,
@@ -388,6 +391,15 @@ NeighbourhoodProof SegmentCertifier::prove_around(const Pose& pose, double displ
       !(displacement < longest_length) || !(angle < longest_length))
     return {};
   const RoundingUpward rounding;
+  if (manipulator_->task_space() == TaskSpace::R2) {
+    const PoseCoordinates angles = pose_coordinates(TaskSpace::R2, pose);
+    const auto turn = [angle](double at) -> Turn<PathForm> {
+      const Turn<Interval> range = enclosed_turn(at, 1.0, Interval(-angle, angle));
+      return {PathForm(range.cosine), PathForm(range.sine)};
+    };
+    return Evaluation(*this, PoseSegment(manipulator_->motions(), pose, pose), mode, reach)
+        .over(EnclosedHinges(manipulator_->motions().hinges).placed(turn(angles[0]), turn(angles[1])));
+  }
   const RotationRows<Interval> turn = enclosed_rotation(pose.orientation);
   const Interval away(-displacement, displacement), turned(-angle, angle);
   PoseSegment::Placement placement;
@@ -398,13 +410,13 @@ NeighbourhoodProof SegmentCertifier::prove_around(const Pose& pose, double displ
     for (std::size_t k = 0; k < 3; ++k)
       placement.rotation[i][k] = std::max(i, k) < moved ? turn[i][k] + turned : turn[i][k];
   }
-  return Evaluation(*this, {pose, pose}, mode, reach).over(placement);
+  return Evaluation(*this, PoseSegment(manipulator_->motions(), pose, pose), mode, reach).over(placement);
 }
 
 SegmentProof SegmentCertifier::march(const Pose& from, const Pose& to, const WorkingMode& mode, int sign,
                                      int max_parts, double step) const noexcept {
   const RoundingUpward rounding;
-  return Evaluation(*this, {from, to}, mode).march(sign, max_parts, step);
+  return Evaluation(*this, PoseSegment(manipulator_->motions(), from, to), mode).march(sign, max_parts, step);
 }
 
 }  // namespace parallel_aspects

@@ -25,10 +25,10 @@ std::string constraint_text(const Manipulator& manipulator, const PoseInMode& at
 }
 
 /// Whether B_jj of the leg is proved to be zero at the pose, to the last digit of the description.
-bool is_exactly_singular(const Leg& leg, const Pose& pose) {
+bool is_exactly_singular(const Motions& motions, const Leg& leg, const Pose& pose) {
   const RoundingUpward rounding;
   PoseSegment::Placement placement;
-  if (!PoseSegment(pose, pose).place(PathForm(0.0), placement)) return false;
+  if (!PoseSegment(motions, pose, pose).place(PathForm(0.0), placement)) return false;
   const SpatialLeg enclosed(leg);
   const std::array<Interval, 3> anchor = toleranced_anchor(leg);
   Spatial<PathForm> d;
@@ -45,8 +45,9 @@ std::string reach_text(const Manipulator& manipulator, const PoseInMode& at,
   const std::string name = "leg '" + failing.name + "'";
   if (!failing.has_branch(at.mode.sign(*leg)))
     return name + " has no posture with that sign of B_jj (working mode " + to_string(at.mode) + ")";
-  return is_exactly_singular(failing, at.pose) ? name + " is stretched or folded there (B_jj = 0)"
-                                               : name + " cannot reach it";
+  return is_exactly_singular(manipulator.motions(), failing, at.pose)
+             ? name + " is stretched or folded there (B_jj = 0)"
+             : name + " cannot reach it";
 }
 
 }  // namespace

@@ -95,6 +95,8 @@ std::unique_ptr<const StarFinder> make_star_finder(const Manipulator& manipulato
     case TaskSpace::SO3:
       return std::make_unique<const ChartStars<SO3Chart>>(manipulator, modes);
     case TaskSpace::T1:
+    case TaskSpace::R1:
+    case TaskSpace::R2:
     case TaskSpace::SE3:
       break;
   }

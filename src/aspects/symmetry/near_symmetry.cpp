@@ -366,7 +366,7 @@ class Symmetrizer {
 SymmetricLegs symmetric_in_decimals(TaskSpace space, const std::vector<Leg>& legs, double size) {
   SymmetricLegs result;
   result.legs = legs;
-  if (space == TaskSpace::SO3 || space == TaskSpace::SE3) return result;
+  if (space == TaskSpace::SO3 || space == TaskSpace::SE3 || has_hinges(space)) return result;
   const double step = std::ldexp(1.0, std::ilogb(size) - bits_of_decimals);
   SymmetricLegs found = Symmetrizer(space, legs, size, rounding_of_decimals, step).run();
   if (found.motions.empty() || found.center.isZero(0.0)) return result;

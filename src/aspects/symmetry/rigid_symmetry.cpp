@@ -84,7 +84,7 @@ bool is_exact_sum(double one, double other, double sum) noexcept {
 
 std::vector<RigidSymmetry> rigid_symmetries_without_shift(TaskSpace space) {
   std::vector<RigidSymmetry> result;
-  if (space == TaskSpace::SE3) return result;
+  if (space == TaskSpace::SE3 || has_hinges(space)) return result;
   for (const Eigen::Matrix3d& base : signed_permutations()) {
     if (!fits(space, base)) continue;
     if (space == TaskSpace::SO3) {

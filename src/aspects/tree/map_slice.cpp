@@ -58,6 +58,11 @@ class Held {
   const std::vector<HeldCoordinate>& coordinates_;
 };
 
+std::string slices_of_hinges(TaskSpace space) {
+  return "Slices of " + std::string(name(space)) +
+         " are not available yet; map its angles whole, which takes seconds, and leave the slice out.";
+}
+
 void check_each(TaskSpace space, const Held& held, Problems& problems) {
   Names seen;
   for (const HeldCoordinate& each : held.coordinates()) {
@@ -143,6 +148,8 @@ MapSlice make_slice(TaskSpace space, const std::vector<HeldCoordinate>& coordina
   MapSlice slice;
   if (space == TaskSpace::T1)
     problems.emplace_back("T1 has no slices, since x is all there is; map it whole.");
+  else if (has_hinges(space))
+    problems.push_back(slices_of_hinges(space));
   else
     check_each(space, held, problems);
   if (problems.size() == known) check_free(held, problems);
@@ -164,6 +171,7 @@ MapSlice make_slice(TaskSpace space, const std::vector<HeldCoordinate>& coordina
 std::string find_slice_problem(const Manipulator& manipulator, const MapSlice& slice) {
   const std::string start = "The slice of the poses of '" + manipulator.name() + "' ";
   const TaskSpace space = manipulator.task_space();
+  if (has_hinges(space)) return slices_of_hinges(space);
   if (slice.joint && slice.free_positions() != 0)
     return start + "holds a joint, but lets positions move too; hold one or the other.";
   if (slice.joint) return find_held_joint_problem(manipulator, *slice.joint);

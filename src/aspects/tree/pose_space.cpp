@@ -163,6 +163,67 @@ class Rotations final : public PoseSpace {
   }
 };
 
+Box whole_turns(std::size_t count) {
+  Box box{count, {}, {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    box.lower[i] = -1.0;
+    box.upper[i] = 1.0;
+  }
+  return box;
+}
+
+std::vector<Gluing> ends_of_turns(std::size_t count) {
+  std::vector<Gluing> gluings;
+  for (std::uint8_t i = 0; i < count; ++i) gluings.push_back({{0, i, true}, {0, i, false}, {0, 1, 2}, {}});
+  return gluings;
+}
+
+class HingeAngles final : public PoseSpace {
+ public:
+  explicit HingeAngles(const Motions& motions)
+      : PoseSpace(whole_turns(degrees_of_freedom(motions.space)), 1,
+                  ends_of_turns(degrees_of_freedom(motions.space))),
+        motions_(motions) {}
+
+  MapPosition position(const Pose& pose) const noexcept override {
+    const PoseCoordinates angles = pose_coordinates(motions_.space, pose);
+    MapPosition result;
+    for (std::size_t i = 0; i < dimension(); ++i) result.point[i] = angles[static_cast<Eigen::Index>(i)] / pi;
+    return result;
+  }
+
+  Pose pose(const MapPosition& position) const noexcept override {
+    PoseCoordinates angles(static_cast<Eigen::Index>(dimension()));
+    for (std::size_t i = 0; i < dimension(); ++i)
+      angles[static_cast<Eigen::Index>(i)] = pi * position.point[i];
+    return pose_from_coordinates(motions_, angles).value_or(Pose{});
+  }
+
+  Box shown(const Box& box) const noexcept override {
+    Box result = box;
+    for (std::size_t i = 0; i < box.dimension; ++i) {
+      result.lower[i] *= pi;
+      result.upper[i] *= pi;
+    }
+    return result;
+  }
+
+  double measure(const Box& box) const noexcept override {
+    return dimension() == 1 ? pi * box.measure() : pi * pi * box.measure();
+  }
+
+  double longest_edge(const Box& box) const noexcept override {
+    return pi * (dimension() == 1 ? box.width(0) : std::max(box.width(0), box.width(1)));
+  }
+
+  bool is_periodic(std::size_t) const noexcept override { return true; }
+
+  MapPoint weights() const noexcept override { return {pi, pi, 1.0}; }
+
+ private:
+  Motions motions_;
+};
+
 }  // namespace
 
 MapPosition PoseSpace::across(const MapPosition& position, std::size_t axis) const noexcept {
@@ -201,8 +262,10 @@ MapPosition PoseSpace::image(const Gluing& gluing, const MapPosition& position,
   return result;
 }
 
-std::shared_ptr<const PoseSpace> make_pose_space(TaskSpace space, const Box& positions,
+std::shared_ptr<const PoseSpace> make_pose_space(const Motions& motions, const Box& positions,
                                                  double characteristic_length) {
+  const TaskSpace space = motions.space;
+  if (has_hinges(space)) return std::make_shared<const HingeAngles>(motions);
   if (!has_rotation(space)) return std::make_shared<const Positions>(positions);
   if (!has_translation(space)) return std::make_shared<const Rotations>();
   if (space == TaskSpace::SE2) return std::make_shared<const PlanarMotions>(positions, characteristic_length);

@@ -48,7 +48,8 @@ struct MapPosition {
 ///  - SE2: one box of positions [m] and half turns, phi / pi in [-1, 1], whose two ends are glued;
 ///  - SO3: four cubes [-1, 1]^3, one for each component of the unit quaternion that can be the largest; the
 ///    coordinates are the other three divided by it. Faces are glued where two components are equally large,
-///    and the two quaternions of one rotation fall together.
+///    and the two quaternions of one rotation fall together;
+///  - R1, R2: one box of angles in half turns, each with its two ends glued.
 class PoseSpace {
  public:
   virtual ~PoseSpace() = default;
@@ -88,10 +89,12 @@ class PoseSpace {
   virtual bool is_periodic(std::size_t) const noexcept { return false; }
 
   /// What distances between nearby poses multiply differences of coordinates by. Then they are metres, with
-  /// rotations of SE2 weighted by the characteristic length; for SO3 they are plain coordinates.
+  /// rotations of SE2 weighted by the characteristic length; for SO3 they are plain coordinates, and for R1
+  /// and R2 they are angles.
   virtual MapPoint weights() const noexcept { return {1.0, 1.0, 1.0}; }
 
-  /// A radius that a ball of this radius in weighted coordinates is sure to hold [m, or rad for SO3].
+  /// A radius that a ball of this radius in weighted coordinates is sure to hold [m, or rad for SO3, R1 and
+  /// R2].
   virtual double proved_radius(const MapPoint&, double radius) const noexcept { return radius; }
 
  protected:
@@ -107,9 +110,9 @@ class PoseSpace {
 };
 
 /// The space of poses of a task space. `positions` bounds the position coordinates (1 for T1, 2 for T2 and
-/// SE2, 3 for T3) and is not used for SO3; `characteristic_length` [m] weights the rotation of SE2. Null for
-/// SE3.
-std::shared_ptr<const PoseSpace> make_pose_space(TaskSpace space, const Box& positions,
+/// SE2, 3 for T3) and is not used for SO3, R1 and R2; `characteristic_length` [m] weights the rotation of
+/// SE2. Null for SE3.
+std::shared_ptr<const PoseSpace> make_pose_space(const Motions& motions, const Box& positions,
                                                  double characteristic_length);
 
 }  // namespace parallel_aspects

@@ -100,9 +100,11 @@ bool has_one_solution_a_sign(TaskSpace space) noexcept {
     case TaskSpace::T1:
     case TaskSpace::T2:
     case TaskSpace::T3:
+    case TaskSpace::R1:
       return true;
     case TaskSpace::SE2:
     case TaskSpace::SO3:
+    case TaskSpace::R2:
     case TaskSpace::SE3:
       return false;
   }
@@ -167,7 +169,7 @@ std::string find_uniqueness_problem(const Manipulator& manipulator, const Unique
                                " every aspect is a uniqueness domain as a whole; leave the slice out."
                          : "";
   if (space == TaskSpace::SE2) return find_problem_in_se2(manipulator, options);
-  return "Uniqueness domains are found in T1, T2, T3 and SE2, and " + in_quotes(manipulator.name()) +
+  return "Uniqueness domains are found in T1, T2, T3, R1 and SE2, and " + in_quotes(manipulator.name()) +
          " moves in " + std::string(name(space)) +
          "; `aspects uniqueness` tells in which of its aspects more than one pose has the same actuated "
          "values.";

@@ -106,7 +106,8 @@ std::optional<std::size_t> singular_leg(const BoundarySegment& segment) {
 std::optional<std::size_t> singular_leg(const LevelSegment&) { return std::nullopt; }
 
 PoseSlice plane_of(const AspectMap& map) {
-  return map.slice() ? PoseSlice(*map.manipulator(), *map.slice()) : PoseSlice(TaskSpace::T2, 0.0);
+  return map.slice() ? PoseSlice(*map.manipulator(), *map.slice())
+                     : PoseSlice(map.manipulator()->motions(), 0.0);
 }
 
 }  // namespace
@@ -125,7 +126,8 @@ std::vector<std::array<Vector2d, 2>> JointWindow::pieces(const Vector2d& from, c
 }
 
 bool JointProjection::is_possible(const AspectMap& map) noexcept {
-  return map.slice() ? map.slice()->joint.has_value() : map.manipulator()->task_space() == TaskSpace::T2;
+  const TaskSpace space = map.manipulator()->task_space();
+  return map.slice() ? map.slice()->joint.has_value() : space == TaskSpace::T2 || space == TaskSpace::R2;
 }
 
 JointProjection::JointProjection(std::shared_ptr<const AspectMap> map)

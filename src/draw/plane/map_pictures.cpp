@@ -40,32 +40,35 @@ Pose pose_in(const MapSlice& slice, const Vector2d& point) {
 }  // namespace
 
 PoseSlice::PoseSlice(const Manipulator& manipulator, const MapSlice& slice)
-    : space_(manipulator.task_space()), slice_(slice) {
+    : motions_(manipulator.motions()), slice_(slice) {
   if (slice.joint) circle_ = circle_of_anchor(manipulator, *slice.joint);
 }
 
-PoseSlice PoseSlice::through(TaskSpace space, const Pose& pose) noexcept {
-  if (space == TaskSpace::T3) return {space, pose.position.z()};
-  return {space, has_rotation(space) ? torsion(pose.orientation) : 0.0};
+PoseSlice PoseSlice::through(const Motions& motions, const Pose& pose) noexcept {
+  if (motions.space == TaskSpace::T3) return {motions, pose.position.z()};
+  const bool turns = has_rotation(motions.space) && !has_hinges(motions.space);
+  return {motions, turns ? torsion(pose.orientation) : 0.0};
 }
 
 Pose PoseSlice::pose(const Vector2d& point) const noexcept {
   if (circle_) return circle_->pose(point.x(), point.y());
   if (slice_) return pose_in(*slice_, point);
+  if (motions_.space == TaskSpace::R2) return pose_from_coordinates(motions_, point).value_or(Pose{});
   Pose pose;
-  if (space_ == TaskSpace::SO3) {
+  if (motions_.space == TaskSpace::SO3) {
     const double tilt = point.norm();
     const Eigen::Vector3d axis =
         tilt > 0.0 ? Eigen::Vector3d(-point.y() / tilt, point.x() / tilt, 0.0) : Eigen::Vector3d::UnitY();
     pose.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(tilt, axis)) * about_z(level_);
     return pose;
   }
-  pose.position << point, space_ == TaskSpace::T3 ? level_ : 0.0;
-  if (space_ == TaskSpace::SE2) pose.orientation = about_z(level_);
+  pose.position << point, motions_.space == TaskSpace::T3 ? level_ : 0.0;
+  if (motions_.space == TaskSpace::SE2) pose.orientation = about_z(level_);
   return pose;
 }
 
 Vector2d PoseSlice::point(TaskSpace space, const Pose& pose) noexcept {
+  if (space == TaskSpace::R2) return pose_coordinates(space, pose);
   if (space != TaskSpace::SO3) return pose.position.head<2>();
   const Eigen::AngleAxisd tilt(pose.orientation * about_z(torsion(pose.orientation)).conjugate());
   const double angle = std::remainder(tilt.angle(), 2.0 * EIGEN_PI);
@@ -73,21 +76,22 @@ Vector2d PoseSlice::point(TaskSpace space, const Pose& pose) noexcept {
 }
 
 bool PoseSlice::turns(std::size_t coordinate) const noexcept {
-  return slice_ && (slice_->joint || coordinate >= slice_->free_positions());
+  if (!slice_) return motions_.space == TaskSpace::R2;
+  return slice_->joint || coordinate >= slice_->free_positions();
 }
 
 bool PoseSlice::holds(const Vector2d& point) const noexcept {
   for (const int i : {0, 1})
     if (turns(static_cast<std::size_t>(i)) && !(std::abs(point[i]) <= pi + rounding)) return false;
-  return slice_ || space_ != TaskSpace::SO3 || point.norm() <= EIGEN_PI;
+  return slice_ || motions_.space != TaskSpace::SO3 || point.norm() <= EIGEN_PI;
 }
 
 std::string PoseSlice::text() const {
   if (slice_) return to_string(*slice_);
   char text[48] = "";
-  if (space_ == TaskSpace::SE2) std::snprintf(text, sizeof text, "phi = %.2f rad", level_);
-  if (space_ == TaskSpace::T3) std::snprintf(text, sizeof text, "z = %.3g m", level_);
-  if (space_ == TaskSpace::SO3) std::snprintf(text, sizeof text, "torsion = %.2f rad", level_);
+  if (motions_.space == TaskSpace::SE2) std::snprintf(text, sizeof text, "phi = %.2f rad", level_);
+  if (motions_.space == TaskSpace::T3) std::snprintf(text, sizeof text, "z = %.3g m", level_);
+  if (motions_.space == TaskSpace::SO3) std::snprintf(text, sizeof text, "torsion = %.2f rad", level_);
   return text;
 }
 
@@ -102,7 +106,10 @@ Eigen::AlignedBox2d slice_bounds(const AspectMap& map) {
   if (bounds.isEmpty()) bounds.extend(Vector2d::Zero());
   // Slivers reach a little farther than the boxes inside.
   const Vector2d margin = Vector2d::Constant(2.0 * map.resolution());
-  return {bounds.min() - margin, bounds.max() + margin};
+  bounds = {bounds.min() - margin, bounds.max() + margin};
+  if (map.manipulator()->task_space() == TaskSpace::R2)
+    bounds.clamp(Eigen::AlignedBox2d(Vector2d::Constant(-pi), Vector2d::Constant(pi)));
+  return bounds;
 }
 
 Eigen::AlignedBox2d slice_bounds(const AspectMap& map, const MapSlice& slice) {

@@ -26,18 +26,18 @@ namespace parallel_aspects {
 ///  - SO3: the tilt (theta cos(azimuth), theta sin(azimuth)) [rad] of the platform's z axis, within the disc
 ///  of
 ///    radius pi, at one torsion [rad] (the tilt and torsion of Bonev, Zlatanov and Gosselin, 2002);
-///  - T2: x, y [m], all there is;
+///  - T2: x, y [m], and R2: both angles [rad], all there is;
 ///  - every task space: the free coordinates of a `MapSlice` that leaves two of them.
 class PoseSlice {
  public:
-  /// `level`: phi, z or torsion; unused in T2. Not for SE3.
-  PoseSlice(TaskSpace space, double level) noexcept : space_(space), level_(level) {}
+  /// `level`: phi, z or torsion; unused in T2 and R2. Not for SE3.
+  PoseSlice(const Motions& motions, double level) noexcept : motions_(motions), level_(level) {}
 
   /// The free coordinates of `slice`, which are two.
   PoseSlice(const Manipulator& manipulator, const MapSlice& slice);
 
   /// The slice that holds a pose.
-  static PoseSlice through(TaskSpace space, const Pose& pose) noexcept;
+  static PoseSlice through(const Motions& motions, const Pose& pose) noexcept;
 
   /// phi or torsion [rad], or z [m].
   double level() const noexcept { return level_; }
@@ -54,13 +54,13 @@ class PoseSlice {
   /// The joint that is held, where one is.
   std::optional<HeldJoint> held_joint() const noexcept { return slice_ ? slice_->joint : std::nullopt; }
 
-  /// "phi = 0.3 rad", for people; empty in T2.
+  /// "phi = 0.3 rad", for people; empty in T2 and R2.
   std::string text() const;
 
  private:
   bool turns(std::size_t coordinate) const noexcept;
 
-  TaskSpace space_;
+  Motions motions_;
   double level_ = 0.0;
   std::optional<MapSlice> slice_{};
   std::optional<AnchorCircle> circle_{};  // where a joint is held
@@ -160,9 +160,9 @@ struct JointWindow {
 /// Corners of triangles, three each, counter-clockwise.
 using TriangleCorners = std::vector<Eigen::Vector2d>;
 
-/// Pictures of a two-dimensional map in joint space: of T2, or of a slice of SE2 with an actuated joint held,
-/// in the plane of the other two. Not certified: images of pieces are drawn as polygons with edges of about a
-/// quarter of a radian, or of a 25th of the range of a length, or a little more.
+/// Pictures of a two-dimensional map in joint space: of T2 or R2, or of a slice of SE2 with an actuated joint
+/// held, in the plane of the other two. Not certified: images of pieces are drawn as polygons with edges of
+/// about a quarter of a radian, or of a 25th of the range of a length, or a little more.
 class JointProjection {
  public:
   /// `map` must have such a plane.

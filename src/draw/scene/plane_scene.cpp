@@ -99,7 +99,7 @@ std::string aspect_words(const AspectMap& map, const Aspect& aspect) {
 PosePlane plane_of(const AspectMap& map, const std::optional<MapSection>& section) {
   if (section && section->slice) return plane_of_slice(map, *section->slice);
   if (map.slice() && !section) return plane_of_slice(map, *map.slice());
-  return plane_of(map, PoseSlice(map.manipulator()->task_space(), section ? section->torsion : 0.0));
+  return plane_of(map, PoseSlice(map.manipulator()->motions(), section ? section->torsion : 0.0));
 }
 
 PosePlane plane_of(const AspectMap& map, const PoseSlice& slice) {
@@ -110,6 +110,12 @@ PosePlane plane_of(const AspectMap& map, const PoseSlice& slice) {
             bounds,
             {PlaneAxis{"tilt cos(azimuth) [rad]", -pi, pi, true},
              PlaneAxis{"tilt sin(azimuth) [rad]", -pi, pi, true}},
+            true};
+  if (map.manipulator()->task_space() == TaskSpace::R2)
+    return {slice,
+            bounds,
+            {PlaneAxis{"theta1 [rad]", bounds.min().x(), bounds.max().x(), true},
+             PlaneAxis{"theta2 [rad]", bounds.min().y(), bounds.max().y(), true}},
             true};
   return {slice,
           bounds,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/direct/direct_candidates.h"
+#include "kinematics/direct/direct_hinges.h"
 #include "kinematics/direct/direct_problem.h"
 #include "kinematics/direct/direct_se3.h"
 #include "parallel_aspects/kinematics/kinematics.h"
@@ -40,6 +41,10 @@ DirectResult candidates(const Manipulator& manipulator, const JointVector& q) {
       return direct_t3(manipulator, q);
     case TaskSpace::SO3:
       return direct_so3(manipulator, q);
+    case TaskSpace::R1:
+      return direct_r1(manipulator, q);
+    case TaskSpace::R2:
+      return direct_r2(manipulator, q);
     case TaskSpace::SE3:
       return direct_se3(manipulator, q);
   }

@@ -24,7 +24,7 @@ constexpr double converged = 1e-14;
 Pose after_newton_step(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
   const TaskVector f = residuals(manipulator, pose, q);
   const TaskVector step = -0.5 * solution(direct_matrix(manipulator, pose, q), f);
-  return displaced(manipulator.task_space(), pose, step);
+  return displaced(manipulator.motions(), pose, step);
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ Pose pulled_back(const Manipulator& manipulator, Pose pose, const JointVector& q
     const Eigen::Index rank = svd.rank_above(null_motion * svd.values[0]);
     const Eigen::VectorXd parts = svd.u.leftCols(rank).transpose() * (-0.5 * residuals(manipulator, pose, q));
     const TaskVector step = svd.v.leftCols(rank) * parts.cwiseQuotient(svd.values.head(rank));
-    pose = displaced(manipulator.task_space(), pose, step);
+    pose = displaced(manipulator.motions(), pose, step);
   }
   return pose;
 }
@@ -109,7 +109,7 @@ bool leads_on(const Manipulator& manipulator, const Pose& pose, const JointVecto
               double length) {
   twist.head(static_cast<Eigen::Index>(rotational_degrees_of_freedom(manipulator.task_space()))) /=
       manipulator.characteristic_length();
-  const Pose away = displaced(manipulator.task_space(), pose, length * twist);
+  const Pose away = displaced(manipulator.motions(), pose, length * twist);
   const Pose landed = pulled_back(manipulator, away, q, 12);
   const double moved = distance(manipulator, pose, landed), expected = std::abs(length);
   return moved > 0.5 * expected && moved < 2.0 * expected && is_singular_solution(manipulator, landed, q);
@@ -121,7 +121,7 @@ Pose random_pose(const Manipulator& manipulator, std::mt19937& engine) {
   for (double& each : coefficients_of(twist)) each = normal(engine);
   const auto rotations = static_cast<Eigen::Index>(rotational_degrees_of_freedom(manipulator.task_space()));
   twist.tail(twist.size() - rotations) *= manipulator.size();
-  return displaced(manipulator.task_space(), Pose{}, twist);
+  return displaced(manipulator.motions(), Pose{}, twist);
 }
 
 }  // namespace

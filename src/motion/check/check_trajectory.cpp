@@ -128,7 +128,7 @@ class PoseCheck {
     const int count = std::max(1, options_.samples / static_cast<int>(times_.count()) + 1);
     for (int k = i == 0 ? 0 : 1; k <= count; ++k) {
       const double share = until * k / count;
-      const Pose pose = pose_between(from, to, share);
+      const Pose pose = pose_between(manipulator_.motions(), from, to, share);
       const InverseSolution solution = inverse(manipulator_, pose, mode_);
       if (solution.status == InverseStatus::out_of_reach) continue;
       survey_.add(times_.at(i, share), pose, solution.q, radius_to(pose));

@@ -113,22 +113,16 @@ double norm_of(const double* bounds, std::size_t count) {
 
 FoldProof::FoldProof(const Manipulator& manipulator, const PoseCertifier& poses,
                      const JointPath& path) noexcept
-    : space_(manipulator.task_space()),
+    : motions_(manipulator.motions()),
       poses_(poses),
       path_(path),
       size_(manipulator.leg_count()),
-      rotational_(rotational_degrees_of_freedom(space_)),
+      rotational_(rotational_degrees_of_freedom(motions_.space)),
       length_(manipulator.characteristic_length()),
-      robot_size_(manipulator.size()) {
+      robot_size_(manipulator.size()),
+      bounds_(anchor_bounds(manipulator)) {
   assert_rounding_upward();
-  for (std::size_t j = 0; j < size_; ++j) {
-    legs_[j] = LegForm(manipulator.leg(j));
-    const Eigen::Vector3d& a = manipulator.leg(j).anchor;
-    const double arm =
-        rotational_ == 0 ? 0.0 : std::sqrt(a.x() * a.x() + a.y() * a.y() + a.z() * a.z()) / length_;
-    lever_[j] = has_translation(space_) ? std::sqrt(1.0 + arm * arm) : arm;
-    bend_[j] = arm / length_;
-  }
+  for (std::size_t j = 0; j < size_; ++j) legs_[j] = LegForm(manipulator.leg(j));
 }
 
 // Chosen so that the column of z is about as long as those of xi.
@@ -150,20 +144,19 @@ Interval FoldProof::middle_of(std::size_t leg, double share, double& q) const no
 // The deviation of q_j from its middle counts to the first order in the rows, and to the second in F.
 FoldProof::System FoldProof::enclose(Point& point) const noexcept {
   System system;
-  RotationRows<Interval> turn;
-  if (rotational_ > 0) turn = enclosed_rotation(point.pose.orientation);
+  const EnclosedPose pose = enclosed_pose(motions_, point.pose);
   const Interval over_length = reciprocal(Interval(length_)), over_scale = reciprocal(Interval(scale_));
   for (std::size_t j = 0; j < size_; ++j) {
     double q = 0.0;
     const Interval change = middle_of(j, point.share, q);
-    const LegEnclosure leg = legs_[j].enclose(point.pose, rotational_ > 0 ? &turn : nullptr, q);
+    const LegEnclosure leg = legs_[j].enclose(pose, q);
     const double off = magnitude(change), moved = legs_[j].point_speed() * off;
     point.rod[j] = square_root(squared_norm(leg.u)).upper() + moved;
-    const double curved = legs_[j].joint_curvature(point.rod[j]) * off, tilted = lever_[j] * moved;
+    const double curved = legs_[j].joint_curvature(point.rod[j]) * off, tilted = bounds_.lever[j] * moved;
     const Interval entry = leg.inverse_diagonal + Interval(-curved, curved);
     point.entry[j] = magnitude(entry);
     std::array<Interval, max_legs> row;
-    write_homogenised_row(space_, leg.b, leg.u, over_length, row);
+    write_homogenised_row(motions_.space, leg.lever, leg.u, over_length, row);
     for (std::size_t k = 0; k < size_; ++k) system.matrix[j][k] = row[k] + Interval(-tilted, tilted);
     system.matrix[j][size_] = -(entry * path_.slope(j, Interval(point.share)) * over_scale);
     system.residual[j] = leg.half_residual - entry * change;
@@ -226,7 +219,7 @@ FoldProof::Point FoldProof::moved(const Point& point, const Vector& step) const 
   Point result = point;
   TaskVector twist = step.head(static_cast<Eigen::Index>(size_));
   twist.head(static_cast<Eigen::Index>(rotational_)) /= length_;
-  result.pose = displaced(space_, point.pose, twist);
+  result.pose = displaced(motions_, point.pose, twist);
   result.share = point.share + step[static_cast<Eigen::Index>(size_)] / scale_;
   return result;
 }
@@ -240,10 +233,11 @@ double FoldProof::lipschitz(const Point& point, double radius) const noexcept {
   for (std::size_t j = 0; j < size_; ++j) {
     const double slope = magnitude(path_.slope(j, shares)), curvature = magnitude(path_.second(j, shares));
     const double change = slope * reach, speed = legs_[j].point_speed();
-    const double rod = point.rod[j] + lever_[j] * radius + speed * change;
+    const double rod = point.rod[j] + bounds_.lever[j] * radius + speed * change;
     const double joint = legs_[j].joint_curvature(rod);
-    const double entry = point.entry[j] + speed * lever_[j] * radius + joint * change;
-    second[j] = lever_[j] * lever_[j] + rod * bend_[j] + speed * lever_[j] * slope / scale_ +
+    const double entry = point.entry[j] + speed * bounds_.lever[j] * radius + joint * change;
+    second[j] = bounds_.lever[j] * bounds_.lever[j] + rod * bounds_.bend[j] +
+                speed * bounds_.lever[j] * slope / scale_ +
                 (joint * slope * slope + entry * curvature) / scale_ / scale_;
   }
   std::array<double, most> bounds{};
@@ -313,8 +307,9 @@ int FoldProof::determinant_sign(Point point) const noexcept {
   SquareArray<Interval> matrix;
   for (std::size_t j = 0; j < size_; ++j) {
     const double moved = legs_[j].point_speed() * magnitude(path_.slope(j, shares)) * still->drift;
-    const double rod = point.rod[j] + lever_[j] * still->radius + moved;
-    const double off = (lever_[j] * lever_[j] + rod * bend_[j]) * still->radius + lever_[j] * moved;
+    const double rod = point.rod[j] + bounds_.lever[j] * still->radius + moved;
+    const double off = (bounds_.lever[j] * bounds_.lever[j] + rod * bounds_.bend[j]) * still->radius +
+                       bounds_.lever[j] * moved;
     for (std::size_t k = 0; k < size_; ++k) matrix[j][k] = system.matrix[j][k] + Interval(-off, off);
   }
   return proved_determinant_sign(size_, matrix);

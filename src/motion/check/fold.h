@@ -122,14 +122,14 @@ class FoldProof {
   int determinant_sign(Point point) const noexcept;
   double distance(const Point& a, const Point& b) const noexcept;
 
-  TaskSpace space_;
+  Motions motions_;
   const PoseCertifier& poses_;
   const JointPath& path_;
   std::size_t size_, rotational_;
   double length_, robot_size_;
   double scale_ = 0.0;  // of z, over that of s
   std::array<LegForm, max_legs> legs_;
-  LegBounds lever_{}, bend_{};
+  AnchorBounds bounds_;
 };
 
 }  // namespace parallel_aspects

@@ -134,7 +134,7 @@ Sphere sphere_of(const Leg& leg, const Interval& q) {
   const LegForm form(leg);
   const double middle = 0.5 * (q.lower() + q.upper());
   const double off = magnitude(q - Interval(middle));
-  const LegEnclosure at = form.enclose(Pose{}, nullptr, middle);
+  const LegEnclosure at = form.enclose(EnclosedPose{}, middle);
   const double moved = form.point_speed() * off;
   const Interval squared_distance = squared_norm(at.u);
   const double rod = square_root(squared_distance).upper() + moved;

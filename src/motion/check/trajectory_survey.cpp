@@ -3,6 +3,7 @@
 
 #include "interval/interval.h"
 #include "parallel_aspects/singularity/indices.h"
+#include "tracking/leg_enclosure.h"
 
 #include <cmath>
 #include <optional>
@@ -16,7 +17,8 @@ void lower(SampledLeast& least, double value, double time, std::optional<std::si
 
 }  // namespace
 
-// |Dp_j| is at most sqrt(1 + (|a_j| / L)^2), with L^2 the mean of |a_j|^2 where the platform turns.
+// |Dp_j| is at most sqrt(1 + (|a_j| / L)^2), with L^2 the mean of |a_j|^2 where the platform turns; in R2
+// what `anchor_bounds` has.
 TrajectorySurvey::TrajectorySurvey(const Manipulator& manipulator, bool keep_samples, TrajectoryCheck& check)
     : manipulator_(manipulator), keep_samples_(keep_samples), check_(check) {
   check_.speeds.assign(manipulator.leg_count(), {});
@@ -26,6 +28,9 @@ TrajectorySurvey::TrajectorySurvey(const Manipulator& manipulator, bool keep_sam
   for (const Leg& leg : manipulator.legs()) squared += leg.anchor.squaredNorm() / length / length;
   squared /= static_cast<double>(manipulator.leg_count());
   lever_ = std::sqrt(1.0 + (has_rotation(manipulator.task_space()) ? squared : 0.0));
+  if (manipulator.task_space() != TaskSpace::R2) return;
+  const AnchorBounds bounds = anchor_bounds(manipulator);
+  lever_ = std::sqrt(0.5 * (bounds.lever[0] * bounds.lever[0] + bounds.lever[1] * bounds.lever[1]));
 }
 
 void TrajectorySurvey::add(double time, const Pose& pose, const JointVector& q, double radius) {

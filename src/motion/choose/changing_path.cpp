@@ -27,7 +27,7 @@ class Stations {
   Stations(const SegmentCertifier& certifier, const std::vector<PoseWaypoint>& waypoints,
            const MapControl& control)
       : certifier_(certifier), control_(control), modes_(working_modes(*certifier.manipulator())) {
-    const Path path = divided_path(waypoints, first_pieces);
+    const Path path = divided_path(certifier.manipulator()->motions(), waypoints, first_pieces);
     const std::size_t segments = path.size() - 1, stride = 1 + segments / (2 * first_pieces);
     add_station(path.front());
     for (std::size_t i = 0; i < segments && !nowhere_ && !is_cancelled(control_); i += stride) {
@@ -89,9 +89,9 @@ class Stations {
     if (!nowhere_) add_piece(second, halvings + more);
   }
 
-  static std::pair<Path, Path> halves(const Path& piece) {
+  std::pair<Path, Path> halves(const Path& piece) const {
     if (piece.size() == 2) {
-      const PoseWaypoint middle = waypoint_between(piece, 0, 0.5);
+      const PoseWaypoint middle = waypoint_between(certifier_.manipulator()->motions(), piece, 0, 0.5);
       return {{piece.front(), middle}, {middle, piece.back()}};
     }
     const auto middle = piece.begin() + static_cast<std::ptrdiff_t>(piece.size() / 2);

@@ -185,9 +185,9 @@ std::vector<PoseWaypoint> timed(const std::vector<Pose>& path) {
   return waypoints;
 }
 
-Pose pose_at(const std::vector<PoseWaypoint>& waypoints, double time) {
+Pose pose_at(const Motions& motions, const std::vector<PoseWaypoint>& waypoints, double time) {
   const auto segment = std::min(static_cast<std::size_t>(time), waypoints.size() - 2);
-  return waypoint_between(waypoints, segment, time - static_cast<double>(segment)).pose;
+  return waypoint_between(motions, waypoints, segment, time - static_cast<double>(segment)).pose;
 }
 
 }  // namespace
@@ -208,7 +208,7 @@ PathMeasure measure_path(const std::shared_ptr<const Manipulator>& manipulator,
   BoundaryDistanceMeter meter(manipulator);
   PathMeasure result;
   result.clearance = measure_clearance(meter, *manipulator, path, mode, measures);
-  result.narrowest = pose_at(path, result.clearance.time);
+  result.narrowest = pose_at(manipulator->motions(), path, result.clearance.time);
   return result;
 }
 

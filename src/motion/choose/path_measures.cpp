@@ -10,19 +10,22 @@
 
 namespace parallel_aspects {
 
-PoseWaypoint waypoint_between(const std::vector<PoseWaypoint>& waypoints, std::size_t segment, double share) {
+PoseWaypoint waypoint_between(const Motions& motions, const std::vector<PoseWaypoint>& waypoints,
+                              std::size_t segment, double share) {
   const PoseWaypoint &from = waypoints[segment], &to = waypoints[segment + 1];
-  return {from.time + share * (to.time - from.time), pose_between(from.pose, to.pose, share)};
+  return {from.time + share * (to.time - from.time), pose_between(motions, from.pose, to.pose, share)};
 }
 
-std::vector<PoseWaypoint> divided_path(const std::vector<PoseWaypoint>& waypoints, std::size_t pieces) {
+std::vector<PoseWaypoint> divided_path(const Motions& motions, const std::vector<PoseWaypoint>& waypoints,
+                                       std::size_t pieces) {
   std::vector<PoseWaypoint> divided;
   const std::size_t segments = waypoints.size() - 1;
   for (std::size_t i = 0; i < segments; ++i) {
     const std::size_t parts = 1 + (pieces - 1) / segments;
     divided.push_back(waypoints[i]);
     for (std::size_t k = 1; k < parts; ++k)
-      divided.push_back(waypoint_between(waypoints, i, static_cast<double>(k) / static_cast<double>(parts)));
+      divided.push_back(
+          waypoint_between(motions, waypoints, i, static_cast<double>(k) / static_cast<double>(parts)));
   }
   divided.push_back(waypoints.back());
   return divided;
@@ -42,7 +45,7 @@ PathEffort effort_of(const Manipulator& manipulator, const std::vector<PoseWaypo
                      const WorkingMode& mode) {
   PathEffort effort{std::vector<double>(manipulator.leg_count(), 0.0), 0.0};
   JointVector last;
-  for (const PoseWaypoint& waypoint : divided_path(waypoints, samples)) {
+  for (const PoseWaypoint& waypoint : divided_path(manipulator.motions(), waypoints, samples)) {
     const JointVector q = inverse(manipulator, waypoint.pose, mode).q;
     if (last.size() > 0) {
       const JointVector change = joint_change(manipulator, last, q).cwiseAbs();
@@ -140,7 +143,11 @@ class Clearance {
  public:
   Clearance(BoundaryDistanceMeter& meter, const Manipulator& manipulator,
             const std::vector<PoseWaypoint>& waypoints, const WorkingMode& mode)
-      : meter_(meter), waypoints_(waypoints), mode_(mode), lengths_(manipulator, waypoints) {}
+      : meter_(meter),
+        motions_(manipulator.motions()),
+        waypoints_(waypoints),
+        mode_(mode),
+        lengths_(manipulator, waypoints) {}
 
   PathClearance run(int measures, const MapControl& control) {
     const Measured first = measure({});
@@ -156,7 +163,7 @@ class Clearance {
   bool is_open(const Piece& piece) const { return piece.bound < (1.0 - aimed_gap) * least_.measured; }
 
   PoseWaypoint waypoint(const PlaceOnPath& place) const {
-    return place.share > 0.0 ? waypoint_between(waypoints_, place.segment, place.share)
+    return place.share > 0.0 ? waypoint_between(motions_, waypoints_, place.segment, place.share)
                              : waypoints_[place.segment];
   }
 
@@ -190,6 +197,7 @@ class Clearance {
   }
 
   BoundaryDistanceMeter& meter_;
+  Motions motions_;
   const std::vector<PoseWaypoint>& waypoints_;
   const WorkingMode& mode_;
   PathLengths lengths_;

@@ -12,11 +12,13 @@
 namespace parallel_aspects {
 
 /// The waypoint of a path at a share of the way from waypoint `segment` to the next.
-PoseWaypoint waypoint_between(const std::vector<PoseWaypoint>& waypoints, std::size_t segment, double share);
+PoseWaypoint waypoint_between(const Motions& motions, const std::vector<PoseWaypoint>& waypoints,
+                              std::size_t segment, double share);
 
 /// The waypoints of a path with so many between them that there are `pieces` pieces or more, as even in each
 /// segment.
-std::vector<PoseWaypoint> divided_path(const std::vector<PoseWaypoint>& waypoints, std::size_t pieces);
+std::vector<PoseWaypoint> divided_path(const Motions& motions, const std::vector<PoseWaypoint>& waypoints,
+                                       std::size_t pieces);
 
 /// What the actuated joints do along a path, from samples.
 struct PathEffort {

@@ -35,6 +35,7 @@ bool is_mapped(const PoseSpace& space, const MapPoint& point) {
 Box any_positions(TaskSpace space) {
   Box box{degrees_of_freedom(space), {-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}};
   if (space == TaskSpace::SE2) box.dimension = 2;
+  if (has_hinges(space)) box.dimension = 0;
   return box;
 }
 
@@ -44,7 +45,7 @@ PostureChangeSearch::PostureChangeSearch(const Manipulator& manipulator)
     : manipulator_(manipulator),
       modes_(working_modes(manipulator)),
       classifier_(make_box_classifier(manipulator, modes_)),
-      space_(classifier_ ? make_pose_space(manipulator.task_space(), any_positions(manipulator.task_space()),
+      space_(classifier_ ? make_pose_space(manipulator.motions(), any_positions(manipulator.task_space()),
                                            manipulator.characteristic_length())
                          : nullptr) {}
 

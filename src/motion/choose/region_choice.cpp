@@ -12,12 +12,13 @@ namespace {
 
 constexpr double longest_length = 1e9;  // [m]; intervals have room beyond it
 
-/// Where the angle is among the coordinates, if there is one.
+/// From which of the coordinates on they are angles, if any is.
 std::optional<std::size_t> angle_of(const Manipulator& manipulator, const RegionQuestion& question) {
   if (question.slice) {
     if (question.slice->rotation != MapSlice::Rotation::about_axis) return std::nullopt;
     return question.slice->free_positions();
   }
+  if (has_hinges(manipulator.task_space())) return 0;
   return manipulator.task_space() == TaskSpace::SE2 ? std::optional<std::size_t>(2) : std::nullopt;
 }
 
@@ -40,6 +41,8 @@ std::string space_problem(const Manipulator& manipulator, const RegionQuestion& 
     case TaskSpace::T2:
     case TaskSpace::SE2:
     case TaskSpace::T3:
+    case TaskSpace::R1:
+    case TaskSpace::R2:
       break;
   }
   return "";
@@ -154,7 +157,7 @@ Problems problems_of(const Manipulator& manipulator, const RegionQuestion& quest
   Problems problems;
   for (std::size_t i = 0; i < names.size(); ++i) {
     std::string fault = range_problem(names[i], question.region.lower[i], question.region.upper[i],
-                                      angle_of(manipulator, question) == i);
+                                      i >= angle_of(manipulator, question).value_or(names.size()));
     if (!fault.empty()) problems.push_back(std::move(fault));
   }
   return problems;

@@ -28,8 +28,10 @@ double half_turns(double angle, double towards) {
 
 Box map_box(Box box, std::optional<std::size_t> angle) {
   if (!angle) return box;
-  box.lower[*angle] = half_turns(box.lower[*angle], -2.0);
-  box.upper[*angle] = half_turns(box.upper[*angle], 2.0);
+  for (std::size_t i = *angle; i < box.dimension; ++i) {
+    box.lower[i] = half_turns(box.lower[i], -2.0);
+    box.upper[i] = half_turns(box.upper[i], 2.0);
+  }
   return box;
 }
 
@@ -38,11 +40,11 @@ std::shared_ptr<const PoseSpace> space_of(const Manipulator& manipulator, const 
                                           const Box& region) {
   const double length = manipulator.characteristic_length();
   return question.slice ? make_slice_space(*question.slice, region, length)
-                        : make_pose_space(manipulator.task_space(), region, length);
+                        : make_pose_space(manipulator.motions(), region, length);
 }
 
 Box positions_of(Box region, std::optional<std::size_t> angle) {
-  if (angle) --region.dimension;
+  if (angle) region.dimension = *angle;
   return region;
 }
 

@@ -19,7 +19,8 @@ namespace parallel_aspects {
 /// all of its boxes are inside with one sign of det A, it lies in one aspect.
 class RegionSurvey {
  public:
-  /// There must be no `problems_of` the question. `angle`: which coordinate is one, if any.
+  /// There must be no `problems_of` the question. `angle`: from which coordinate on they are
+  /// angles, if any is.
   RegionSurvey(const Manipulator& manipulator, const RegionQuestion& question,
                std::optional<std::size_t> angle);
 

@@ -250,12 +250,29 @@ class ClearRegionIn final : public ClearRegion {
   double arm_ = 0.0;        // |y| changes by this for each radian at most [m]
 };
 
+/// Where poses have no coordinates in which distances are lengths, nothing is proved clear.
+class NoClearRegion final : public ClearRegion {
+ public:
+  bool usable() const noexcept override { return false; }
+  void move_to(const Pose&, const WorkingMode&) noexcept override {}
+  MetricSpeed speed_of(const TaskVector&) const noexcept override { return {}; }
+  double speed_at_most(double, double) const noexcept override { return unbounded; }
+  ClearHalfSpaces find(Hazard, double) const noexcept override { return {}; }
+  bool is_ahead_clear(Hazard, const TaskVector&, double) noexcept override { return false; }
+  double distortion(double) const noexcept override { return 1.0; }
+  double bend(double) const noexcept override { return unbounded; }
+};
+
 }  // namespace
 
 std::unique_ptr<ClearRegion> make_clear_region(std::shared_ptr<const Manipulator> manipulator) {
   const TaskSpace task_space = manipulator->task_space();
   return with_task_space(task_space, [&](auto constant) -> std::unique_ptr<ClearRegion> {
-    return std::make_unique<ClearRegionIn<decltype(constant)::value>>(std::move(manipulator));
+    constexpr TaskSpace space = decltype(constant)::value;
+    if constexpr (is_of_hinges(space))
+      return std::make_unique<NoClearRegion>();
+    else
+      return std::make_unique<ClearRegionIn<space>>(std::move(manipulator));
   });
 }
 

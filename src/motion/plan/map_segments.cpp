@@ -38,7 +38,7 @@ MapPoint MapSegments::unrolled(const MapPosition& from, const MapPosition& to) c
 }
 
 Pose MapSegments::between(const Pose& from, const Pose& to, double t) const {
-  if (!holds_joint()) return pose_between(from, to, t);
+  if (!holds_joint()) return pose_between(map_->manipulator()->motions(), from, to, t);
   const PoseSpace& space = map_->contents().tree.space();
   const MapPosition start = space.position(from);
   const MapPoint end = unrolled(start, space.position(to));
@@ -105,7 +105,7 @@ bool MapSegments::pieces_are_free(const Pose& from, const Pose& to, const Workin
 bool MapSegments::looks_free(const Pose& from, const Pose& to, const WorkingMode& mode, int sign) const {
   const Manipulator& robot = *map_->manipulator();
   return std::all_of(looks_at_a_segment.begin(), looks_at_a_segment.end(), [&](double t) {
-    const Pose pose = pose_between(from, to, t);
+    const Pose pose = pose_between(robot.motions(), from, to, t);
     const InverseSolution solution = inverse(robot, pose, mode);
     return solution && sign * direct_determinant(robot, pose, solution.q) > 0.0;
   });

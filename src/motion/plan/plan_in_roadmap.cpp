@@ -97,7 +97,7 @@ class RoadmapPlanner {
     const bool is_best = wish_.prefer == PathPreference::shortest && found.size() == 2;
     for (const PathShape& shape : is_best ? std::vector<PathShape>{short_shape} : shapes_for(wish_.prefer))
       for (const std::vector<Pose>& poses : shaped(found, mode, shape)) {
-        PathBuilder builder(robot_, pose_between);
+        PathBuilder builder(robot_, between_poses(robot_.motions()));
         builder.go(poses, mode);
         choice.offer(builder.take("Every segment is proved free of singularities, in the working mode " +
                                   to_string(mode) + "."));
@@ -108,7 +108,7 @@ class RoadmapPlanner {
     return {[this, mode](const Pose& from, const Pose& to) {
               return roadmap_.certifier().prove(from, to, mode).verdict == SegmentVerdict::free;
             },
-            pose_between,
+            between_poses(robot_.motions()),
             [](const Pose& from, const Pose& to) { return from.orientation.angularDistance(to.orientation); },
             robot_, mode};
   }
@@ -202,7 +202,7 @@ class RoadmapPlanner {
       for (const PathShape& shape : shapes_for(wish_.prefer)) {
         if (is_cancelled(control_)) return {};
         PlannedPath path;
-        follow(PathBuilder(robot_, pose_between), pairs[i].start, pairs[i], pairs[i].legs,
+        follow(PathBuilder(robot_, between_poses(robot_.motions())), pairs[i].start, pairs[i], pairs[i].legs,
                {shape, most_gates}, path);
         choice.offer(std::move(path));
       }

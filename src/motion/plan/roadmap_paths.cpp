@@ -118,14 +118,15 @@ bool RoadmapGates::find_end(const PoseInMode& base, const Pose& target, int sign
   const Manipulator& robot = *roadmap_.certifier().manipulator();
   std::size_t leg = 0;
   const auto reaches = [&](double t) {
-    const InverseSolution solution = inverse(robot, pose_between(base.pose, target, t), base.mode);
+    const InverseSolution solution =
+        inverse(robot, pose_between(robot.motions(), base.pose, target, t), base.mode);
     leg = solution.leg;
     return solution.status;
   };
   double good = 0.0, bad = 0.0;
   for (int k = 1; k <= steps_of_a_look && bad == 0.0; ++k) {
     const double t = static_cast<double>(k) / steps_of_a_look;
-    const Pose pose = pose_between(base.pose, target, t);
+    const Pose pose = pose_between(robot.motions(), base.pose, target, t);
     const InverseSolution solution = inverse(robot, pose, base.mode);
     if (solution.status == InverseStatus::out_of_reach)
       bad = t;
@@ -141,8 +142,8 @@ bool RoadmapGates::find_end(const PoseInMode& base, const Pose& target, int sign
   }
   if (reaches(bad) != InverseStatus::out_of_reach) return false;
   found.leg = leg;
-  found.outer = pose_between(base.pose, target, share_of_outer * bad);
-  found.beyond = pose_between(base.pose, target, std::min(1.0, share_beyond * bad));
+  found.outer = pose_between(robot.motions(), base.pose, target, share_of_outer * bad);
+  found.beyond = pose_between(robot.motions(), base.pose, target, std::min(1.0, share_beyond * bad));
   return true;
 }
 
@@ -173,7 +174,9 @@ bool RoadmapGates::prove(const Candidate& candidate, const WorkingMode& mode, Ro
     share = std::min(share, proof.free_until);
   }
   if (!(share > 0.0)) return false;
-  gate = {candidate.leg, candidate.outer, pose_between(candidate.outer, candidate.beyond, share)};
+  gate = {
+      candidate.leg, candidate.outer,
+      pose_between(roadmap_.certifier().manipulator()->motions(), candidate.outer, candidate.beyond, share)};
   return roadmap_.certifier().prove(gate.outer, gate.inner, mode).verdict == SegmentVerdict::free &&
          roadmap_.certifier().prove(gate.outer, gate.inner, other).verdict == SegmentVerdict::free &&
          passes(gate.inner, mode, other, candidate.leg);

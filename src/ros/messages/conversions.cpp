@@ -185,7 +185,7 @@ std::optional<Pose> pose_from_base(const Manipulator& manipulator, const geometr
     pose.orientation =
         Eigen::Quaterniond(manipulator.task_frame().linear().transpose()) * orientation.normalized();
   }
-  return pose_from_coordinates(space, pose_coordinates(space, pose));
+  return pose_from_coordinates(manipulator.motions(), pose_coordinates(space, pose));
 }
 
 double distance_off_task_space(const Manipulator& manipulator, const geometry_msgs::Pose& message) {

@@ -20,7 +20,7 @@ namespace {
 Pose start_pose(const Manipulator& manipulator, const std::vector<double>& coordinates) {
   const Eigen::Map<const Eigen::VectorXd> values(coordinates.data(),
                                                  static_cast<Eigen::Index>(coordinates.size()));
-  return pose_from_coordinates(manipulator.task_space(), values).value_or(Pose{});
+  return pose_from_coordinates(manipulator.motions(), values).value_or(Pose{});
 }
 
 }  // namespace

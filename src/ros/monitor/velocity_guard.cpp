@@ -118,6 +118,9 @@ void VelocityGuard::forget() { guard_.forget(); }
 std::string VelocityGuard::fault_of(const geometry_msgs::TwistStamped& command, const TurnedTwist& turned,
                                     const ros::Time& now) const {
   if (!turned.fault.empty()) return turned.fault;
+  if (has_hinges(manipulator_->task_space()))
+    return "Velocities are not guarded yet of robots whose poses are angles of passive joints; check their "
+           "trajectories by ~check_trajectory, and watch the level of ~state.";
   const ros::Time& stamp = command.header.stamp;
   if (stamp.isZero()) return "The command's stamp is zero; set header.stamp.";
   const double age = seconds_between(stamp, now);

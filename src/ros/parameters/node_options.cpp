@@ -145,7 +145,7 @@ void check_start(const StartOptions& start, const Manipulator& manipulator, Chec
           : PoseCoordinates();
   std::string names;
   for (const std::string& name : coordinate_names(space)) names += (names.empty() ? "" : ", ") + name;
-  const auto pose = pose_from_coordinates(space, coordinates);
+  const auto pose = pose_from_coordinates(manipulator.motions(), coordinates);
   checks.require(pose.has_value(), "start/pose", "must be a list of finite numbers [" + names + "].");
   const double tolerance = tolerance_of(start, manipulator);
   if (pose && positive(tolerance)) check_reach(*pose, tolerance, manipulator, checks);

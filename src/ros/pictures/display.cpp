@@ -78,6 +78,12 @@ void Display::set_map(const std::shared_ptr<const AspectMap>& map) {
   }
   if (map->aspects().empty() || degrees_of_freedom(map->manipulator()->task_space()) < 2)
     return;  // the gauges stay
+  if (has_hinges(map->manipulator()->task_space())) {
+    ROS_INFO_STREAM("The map of " << map->manipulator()->name()
+                                  << " is of angles, and is not drawn among the markers yet; see it with "
+                                     "`aspects plot`.");
+    return;
+  }
   if (map->manipulator()->task_space() == TaskSpace::T2)
     set_picture(std::make_shared<const MapPicture>(map, frames_, options));
   else

@@ -145,7 +145,7 @@ Pose start_pose(const Mechanism& mechanism, const StartOptions& start) {
   if (!start.pose) return assembled;
   const Eigen::Map<const Eigen::VectorXd> values(start.pose->data(),
                                                  static_cast<Eigen::Index>(start.pose->size()));
-  return pose_from_coordinates(mechanism.manipulator()->task_space(), values).value_or(assembled);
+  return pose_from_coordinates(mechanism.manipulator()->motions(), values).value_or(assembled);
 }
 
 double turn_length(const Manipulator& manipulator) noexcept { return manipulator.size(); }

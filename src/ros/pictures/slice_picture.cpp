@@ -32,7 +32,7 @@ double largest_aspect_level(const AspectMap& map) {
     return a.deepest_clearance < b.deepest_clearance;
   });
   if (largest == aspects.end()) return 0.0;
-  return PoseSlice::through(map.manipulator()->task_space(), largest->deepest).level();
+  return PoseSlice::through(map.manipulator()->motions(), largest->deepest).level();
 }
 
 Points square(const Vector2d& center, double side) {

@@ -75,7 +75,7 @@ std::vector<Start> possible_starts(const Mechanism& mechanism, const StartOption
   if (options.pose) {
     const Eigen::Map<const Eigen::VectorXd> values(options.pose->data(),
                                                    static_cast<Eigen::Index>(options.pose->size()));
-    pose = pose_from_coordinates(robot.task_space(), values).value_or(pose);
+    pose = pose_from_coordinates(robot.motions(), values).value_or(pose);
   }
   const auto usual = working_mode(robot, assembled.pose, assembled.q);
   std::vector<std::pair<double, Start>> starts;

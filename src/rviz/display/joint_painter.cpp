@@ -96,8 +96,8 @@ std::vector<int> JointPainter::of_mode(const std::vector<int>& ids, const Workin
 
 void JointPainter::draw_plane(const std::vector<int>& ids, const JointTile& tile, int cells) {
   const AspectMap& map = store_.map();
-  const BoundaryPicture traced =
-      trace_slice(map, tile.mode, PoseSlice(TaskSpace::T2, 0.0), slice_bounds(map), cells, Cells::single);
+  const BoundaryPicture traced = trace_slice(map, tile.mode, PoseSlice(map.manipulator()->motions(), 0.0),
+                                             slice_bounds(map), cells, Cells::single);
   for (const int id : ids) {
     ColoredMesh mesh{id, paint_.color(id), true, {}, {}, {}};
     for (const Eigen::Vector2d& corner : store_.projection().triangles(id, traced.slivers)) {

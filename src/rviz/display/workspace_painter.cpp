@@ -168,7 +168,8 @@ void WorkspacePainter::draw_plane(const std::vector<int>& ids, int cells) {
       return map.aspects()[static_cast<std::size_t>(id - 1)].mode == mode;
     };
     if (std::none_of(ids.begin(), ids.end(), is_of_mode)) continue;
-    const BoundaryPicture traced = trace_slice(map, mode, PoseSlice(space_, 0.0), slice_bounds(map), cells);
+    const BoundaryPicture traced =
+        trace_slice(map, mode, PoseSlice(map.manipulator()->motions(), 0.0), slice_bounds(map), cells);
     for (const BoundarySliver& sliver : traced.slivers)
       if (const auto found = meshes.find(sliver.aspect); found != meshes.end())
         add_sliver(sliver, part_.meshes[found->second]);

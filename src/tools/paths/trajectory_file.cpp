@@ -202,12 +202,14 @@ std::vector<std::vector<double>> read_columns(const std::string& file, const Tab
 void require_short_turns(TaskSpace space, const std::string& file,
                          const std::vector<std::vector<double>>& rows, Problems& problems) {
   constexpr double half_turn = EIGEN_PI;
-  if (space != TaskSpace::SE2) return;
+  const Names& names = coordinate_names(space);
+  if (space != TaskSpace::SE2 && !has_hinges(space)) return;
   for (std::size_t i = 0; i + 1 < rows.size(); ++i)
-    if (!(std::abs(rows[i + 1].back() - rows[i].back()) < half_turn))
-      problems.push_back(file + ", waypoint " + std::to_string(i + 2) +
-                         ", turns phi by half a turn or more, which would be taken the short way round; give "
-                         "waypoints in between.");
+    for (std::size_t k = space == TaskSpace::SE2 ? 2 : 0; k < names.size(); ++k)
+      if (!(std::abs(rows[i + 1][k + 1] - rows[i][k + 1]) < half_turn))
+        problems.push_back(file + ", waypoint " + std::to_string(i + 2) + ", turns " + names[k] +
+                           " by half a turn or more, which would be taken the short way round; give "
+                           "waypoints in between.");
 }
 
 }  // namespace
@@ -223,7 +225,8 @@ Option path_option(std::string& file) {
       FileUse::read};
 }
 
-std::vector<PoseWaypoint> read_pose_waypoints(TaskSpace space, const std::string& file) {
+std::vector<PoseWaypoint> read_pose_waypoints(const Motions& motions, const std::string& file) {
+  const TaskSpace space = motions.space;
   Names needed{"time"};
   for (const std::string& name : coordinate_names(space)) needed.push_back(name);
   std::vector<PoseWaypoint> waypoints;
@@ -233,7 +236,8 @@ std::vector<PoseWaypoint> read_pose_waypoints(TaskSpace space, const std::string
   require_short_turns(space, file, rows, problems);
   for (const std::vector<double>& row : rows) {
     const auto pose = pose_from_coordinates(
-        space, Eigen::Map<const Eigen::VectorXd>(row.data() + 1, static_cast<Eigen::Index>(row.size() - 1)));
+        motions,
+        Eigen::Map<const Eigen::VectorXd>(row.data() + 1, static_cast<Eigen::Index>(row.size() - 1)));
     if (!pose)
       problems.push_back(file + ", waypoint " + std::to_string(waypoints.size() + 1) +
                          ", has a quaternion of zero length; give a unit quaternion.");

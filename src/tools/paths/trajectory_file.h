@@ -21,7 +21,7 @@ Option path_option(std::string& file);
 
 /// The poses of a CSV file: a header with `t` or `time` [s] and the coordinates of the task space [m or rad]
 /// in any order, then a line for each waypoint. Throws `InvalidDescription` with every problem.
-std::vector<PoseWaypoint> read_pose_waypoints(TaskSpace space, const std::string& file);
+std::vector<PoseWaypoint> read_pose_waypoints(const Motions& motions, const std::string& file);
 
 /// The values of the actuated joints in a file: a trajectory_msgs/JointTrajectory as rostopic prints it, or
 /// CSV: a header with `t` or `time` [s] and their names in any order [rad or m]; with NAME/velocity for each

@@ -108,7 +108,7 @@ ask::CheckQuestion read(const CheckArguments& arguments, const Manipulator& robo
   if (!arguments.trajectory.empty()) question.trajectory.emplace();
   if (!is_whole(question)) return question;  // is refused unread
   if (question.path)
-    question.path = read_pose_waypoints(robot.task_space(), arguments.path);
+    question.path = read_pose_waypoints(robot.motions(), arguments.path);
   else
     question.trajectory = read_joint_waypoints(robot, arguments.trajectory);
   return question;

@@ -26,7 +26,7 @@ int code_of(TrajectoryAnswer answer) {
 Report report_of(const ChooseArguments& arguments, const Surroundings& surroundings) {
   const auto robot = robot_of(arguments);
   auto question = understood<ask::ChooseQuestion>(*robot, arguments.texts, arguments.flags);
-  if (!arguments.path.empty()) question.path = read_pose_waypoints(robot->task_space(), arguments.path);
+  if (!arguments.path.empty()) question.path = read_pose_waypoints(robot->motions(), arguments.path);
   const ask::ChooseAnswer answer = asked(robot, question, surroundings);
   Report report = report_choice(*robot, answer);
   const bool counts_changes = answer.with_changes && answer.verdict() != TrajectoryAnswer::safe;

@@ -191,7 +191,7 @@ class MechanismReader {
     config.task_space = task_space_named(word);
     if (!config.task_space)
       problem("has the unknown mechanism.task_space '" + word +
-              "'; write T1, T2, SE2, T3, SO3 or SE3, or leave it out.");
+              "'; write T1, T2, SE2, T3, SO3, SE3, R1 or R2, or leave it out.");
   }
 
   void read_symmetrize(const YAML::Node& node, MechanismConfig& config) {

@@ -34,7 +34,7 @@ class BoxClassifierTest : public testing::TestWithParam<Case> {
       positions = *reachable;
     else
       positions.dimension = robot->task_space() == TaskSpace::T3 ? 3 : 2;
-    space = make_pose_space(robot->task_space(), positions, robot->characteristic_length());
+    space = make_pose_space(robot->motions(), positions, robot->characteristic_length());
   }
 
   double uniform(double lower, double upper) {
@@ -141,7 +141,8 @@ INSTANTIATE_TEST_SUITE_P(Robots, BoxClassifierTest,
                                          Case{"three_rrr", test::three_rrr},
                                          Case{"actuated_elbow", test::three_rrr_actuated_elbow},
                                          Case{"three_prr", test::three_prr}, Case{"delta", test::delta},
-                                         Case{"linear_delta", test::linear_delta},
+                                         Case{"linear_delta", test::linear_delta}, Case{"ankle", test::ankle},
+                                         Case{"four_bar", [] { return test::four_bar(); }},
                                          Case{"agile_eye", test::agile_eye},
                                          Case{"spherical", test::spherical_three_rrr}),
                          [](const auto& robot) { return std::string(robot.param.name); });

@@ -185,9 +185,9 @@ TEST(PoseRoadmap, PosesStayInTheTaskSpace) {
       const auto pose = sampler.draw();
       if (!pose) continue;
       ++drawn;
-      const auto again = pose_from_coordinates(space, pose_coordinates(space, *pose));
+      const auto again = pose_from_coordinates(robot->motions(), pose_coordinates(space, *pose));
       ASSERT_TRUE(again);
-      EXPECT_EQ(again->position, pose->position) << name(space);
+      EXPECT_LT((again->position - pose->position).norm(), 1e-14) << name(space);
       EXPECT_LT(again->orientation.angularDistance(pose->orientation), 1e-7) << name(space);
     }
     EXPECT_GT(drawn, 10) << name(space);

@@ -24,7 +24,8 @@ TEST(PoseSegment, PlacementsHoldThePosesOfTheSegment) {
     const RoundingUpward rounding;
     PoseSegment::Placement placement;
     const double middle = 0.5 * (begin + end);
-    if (!PoseSegment(from, to).place(PathForm::parameter(begin, middle, end), placement)) continue;
+    if (!PoseSegment(TaskSpace::SE3, from, to).place(PathForm::parameter(begin, middle, end), placement))
+      continue;
     for (Eigen::Index row = 0; row < 3; ++row) {
       const auto at = static_cast<std::size_t>(row);
       // `pose_between` rounds: a few units in the last place.
@@ -50,7 +51,7 @@ TEST(PoseSegment, EndsAreThePosesThemselves) {
     EXPECT_LT(pose_between(from, to, 1.0).orientation.angularDistance(to.orientation), 1e-7);
     const RoundingUpward rounding;
     PoseSegment::Placement placement;
-    ASSERT_TRUE(PoseSegment(from, to).place(PathForm::parameter(1.0, 1.0, 1.0), placement));
+    ASSERT_TRUE(PoseSegment(TaskSpace::SE3, from, to).place(PathForm::parameter(1.0, 1.0, 1.0), placement));
     for (std::size_t k = 0; k < 3; ++k) {
       const double end = to.position[static_cast<Eigen::Index>(k)];
       EXPECT_LE(placement.position[k].range.lower(), end);

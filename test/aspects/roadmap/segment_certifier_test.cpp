@@ -78,7 +78,8 @@ class SegmentCertifierTest : public testing::TestWithParam<Case> {
   bool seems_free(const Pose& from, const Pose& to, const WorkingMode& mode, int points) const {
     const int sign = sign_in_doubles(*robot, from, mode);
     for (int i = 0; i <= points; ++i)
-      if (sign_in_doubles(*robot, pose_between(from, to, static_cast<double>(i) / points), mode) != sign)
+      if (sign_in_doubles(*robot, pose_between(robot->motions(), from, to, static_cast<double>(i) / points),
+                          mode) != sign)
         return false;
     return sign != 0;
   }
@@ -95,14 +96,14 @@ TEST_P(SegmentCertifierTest, NoPoseOfANeighbourhoodContradictsWhatIsProvedOfAll)
     const auto reached = pairs.reached(mode);
     if (!reached) continue;
     const double size = robot->size() * std::pow(10.0, pairs.uniform(-4.0, -1.0));
-    const Pose middle = displaced(robot->task_space(), *reached, random_step(1.0, robot->size()));
+    const Pose middle = displaced(robot->motions(), *reached, random_step(1.0, robot->size()));
     const double angle = size / robot->size();
     const Pose& pose = i % 2 == 0 ? *reached : middle;
     const NeighbourhoodProof proof = certifier.prove_around(pose, size, angle, mode);
     free += proof.free ? 1 : 0;
     outside += proof.proved_violation == Violation::out_of_reach ? 1 : 0;
     for (int k = 0; k < 40; ++k) {
-      const Pose near = displaced(robot->task_space(), pose, random_step(angle, size));
+      const Pose near = displaced(robot->motions(), pose, random_step(angle, size));
       const InverseStatus status = inverse(*robot, near, mode).status;
       if (proof.free) {
         EXPECT_EQ(status, InverseStatus::solved) << text(*robot, mode, pose, near);
@@ -128,7 +129,7 @@ TEST_P(SegmentCertifierTest, NoRandomPointContradictsWhatIsProved) {
     ASSERT_TRUE(proof.verdict != SegmentVerdict::free || proof.free_until == 1.0);
     for (int i = 0; i < random_points && proof.free_until > 0.0; ++i, ++checked) {
       const double t = pairs.uniform(0.0, proof.free_until);
-      ASSERT_EQ(sign_in_doubles(*robot, pose_between(from, to, t), mode), sign)
+      ASSERT_EQ(sign_in_doubles(*robot, pose_between(robot->motions(), from, to, t), mode), sign)
           << text(*robot, mode, from, to) << " at " << t;
     }
   });
@@ -162,7 +163,7 @@ TEST_P(SegmentCertifierTest, BlockedSegmentsAreBlockedAtTheWitness) {
     EXPECT_NE(proof.violation, Violation::none);
     EXPECT_LE(proof.free_until, proof.witness);
     const int sign = sign_in_doubles(*robot, from, mode);
-    const int there = sign_in_doubles(*robot, pose_between(from, to, proof.witness), mode);
+    const int there = sign_in_doubles(*robot, pose_between(robot->motions(), from, to, proof.witness), mode);
     EXPECT_NE(there, sign) << text(*robot, mode, from, to) << " at " << proof.witness;
   });
   EXPECT_TRUE(blocked > 20 || test::is_sanitized || !GetParam().has_ends) << blocked;
@@ -176,14 +177,14 @@ TEST_P(SegmentCertifierTest, SegmentsThroughASingularityAreNeverProved) {
     double before = 0.0, after = 1.0;
     for (int i = 0; i < 60 && crossings < 200; ++i) {
       const double middle = 0.5 * (before + after);
-      const int there = sign_in_doubles(*robot, pose_between(from, to, middle), mode);
+      const int there = sign_in_doubles(*robot, pose_between(robot->motions(), from, to, middle), mode);
       if (there == 0) return;
       (there == sign ? before : after) = middle;
     }
     if (after == 1.0 || crossings >= 200) return;
     ++crossings;
-    const Pose singular = pose_between(from, to, after);
-    const Pose beyond = pose_between(from, to, std::min(1.0, after + 1e-6));
+    const Pose singular = pose_between(robot->motions(), from, to, after);
+    const Pose beyond = pose_between(robot->motions(), from, to, std::min(1.0, after + 1e-6));
     for (const Pose& end : {singular, beyond, to}) {
       EXPECT_NE(certifier.prove(from, end, mode).verdict, SegmentVerdict::free)
           << text(*robot, mode, from, end);
@@ -240,7 +241,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"actuated_elbow", test::three_rrr_actuated_elbow},
                     Case{"three_prr", test::three_prr}, Case{"delta", test::delta},
                     Case{"linear_delta", test::linear_delta}, Case{"agile_eye", test::agile_eye, false},
-                    Case{"spherical", test::spherical_three_rrr}),
+                    Case{"spherical", test::spherical_three_rrr}, Case{"ankle", test::ankle},
+                    Case{"four_bar", [] { return test::four_bar(); }}),
     [](const auto& robot) { return std::string(robot.param.name); });
 
 // A strut has one sign only.

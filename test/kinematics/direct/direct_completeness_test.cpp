@@ -20,10 +20,12 @@ std::size_t max_solutions(TaskSpace space) {
     case TaskSpace::T1:
     case TaskSpace::T2:
     case TaskSpace::T3:
+    case TaskSpace::R1:
       return 2;
     case TaskSpace::SE2:
       return 6;
     case TaskSpace::SO3:
+    case TaskSpace::R2:
       return 8;
     case TaskSpace::SE3:
       return 40;
@@ -35,7 +37,7 @@ std::size_t max_solutions(TaskSpace space) {
 void check_against_newton(const Manipulator& robot, const JointVector& q, const DirectResult& result,
                           test::RandomRobots& random, int starts) {
   for (int i = 0; i < starts; ++i) {
-    const Refinement found = refined(robot, random.pose(robot.task_space(), 2.0), q);
+    const Refinement found = refined(robot, random.pose(robot.motions(), 2.0), q);
     if (found.residual > 1e-14 || found.singular_value < 1e-4) continue;
     const AssemblyMode* mode = test::closest(robot, result, found.pose);
     ASSERT_NE(mode, nullptr) << test::describe(robot, found.pose, q);
@@ -51,7 +53,7 @@ TEST_P(Completeness, NewtonFromRandomPosesFindsNothingElse) {
   int tested = 0;
   for (int i = 0; i < 20000 && tested < (slow ? 20 : 300); ++i) {
     const auto robot = random.robot(space, kind);
-    const Pose pose = random.pose(space);
+    const Pose pose = random.pose(robot->motions());
     const InverseSolution solution = inverse(*robot, pose, working_modes(*robot).back());
     if (solution.status == InverseStatus::out_of_reach) continue;
     ++tested;

@@ -56,7 +56,7 @@ TEST_P(NearSingular, PoseIsFoundAndFlagged) {
   test::RandomRobots random(20260108);
   int tested = 0;
   for (int i = 0; i < 50 * count && tested < count; ++i) {
-    Pose a = random.pose(robot->task_space(), spread), b = random.pose(robot->task_space(), spread);
+    Pose a = random.pose(robot->motions(), spread), b = random.pose(robot->motions(), spread);
     a.position += home;
     b.position += home;
     const WorkingMode mode = working_modes(*robot).back();

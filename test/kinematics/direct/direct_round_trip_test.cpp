@@ -56,6 +56,11 @@ INSTANTIATE_TEST_SUITE_P(SO3, RoundTrip,
                          testing::Values(Case{test::agile_eye(), {0.0, 0.0, 0.0}, 1.0, 8},
                                          Case{test::spherical_three_rrr(), {0.0, 0.0, 0.0}, 1.0, 8}),
                          robot_name);
+INSTANTIATE_TEST_SUITE_P(R1, RoundTrip,
+                         testing::Values(Case{test::four_bar(), {0.0, 0.0, 0.0}, 1.0, 2, 100000}),
+                         robot_name);
+INSTANTIATE_TEST_SUITE_P(R2, RoundTrip, testing::Values(Case{test::ankle(), {0.0, 0.0, 0.0}, 1.0, 8, 100000}),
+                         robot_name);
 // Six degrees of freedom take milliseconds each; the benchmark of the kinematics makes 10,000 of them.
 INSTANTIATE_TEST_SUITE_P(SE3, RoundTrip,
                          testing::Values(Case{test::dietmaier(), {0.0, 0.0, 0.0}, 1.0, 40, 100},

@@ -70,7 +70,7 @@ class RandomToolPaths : public testing::TestWithParam<const char*> {
       for (double& entry : twist) entry = pairs.uniform(-1.0, 1.0);
       if (turns) twist[0] = 0.0;
       const double reach = 0.999 * std::min(found.clearance->lower, 10.0 * robot->size());
-      const Pose pose = displaced(robot->task_space(), near.pose, twist / twist.norm() * reach);
+      const Pose pose = displaced(robot->motions(), near.pose, twist / twist.norm() * reach);
       EXPECT_EQ(side(*robot, pose, found.mode), sign) << to_string(found.mode);
     }
   }

@@ -37,7 +37,7 @@ std::string text(const Manipulator& robot, const Box& region) {
 Pose pose_at(const Manipulator& robot, const MapPoint& point) {
   PoseCoordinates coordinates(static_cast<Eigen::Index>(robot.leg_count()));
   for (std::size_t i = 0; i < robot.leg_count(); ++i) coordinates[static_cast<Eigen::Index>(i)] = point[i];
-  return *pose_from_coordinates(robot.task_space(), coordinates);
+  return *pose_from_coordinates(robot.motions(), coordinates);
 }
 
 // A fine grid over a region, as one working mode sees it.

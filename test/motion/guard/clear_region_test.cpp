@@ -49,13 +49,13 @@ TEST_P(ClearRegions, RatesAreThoseOfTheMetric) {
     const TaskVector twist = random_twist();
     const MetricSpeed speed = speed_of(twist);
     const double h = 1e-5;
-    const Pose after = displaced(robot_->task_space(), pose, h * twist);
+    const Pose after = displaced(robot_->motions(), pose, h * twist);
     EXPECT_NEAR(anchor_distance(*robot_, pose, after) / h, speed.rate.norm(), 1e-3 * speed.rate.norm());
     EXPECT_GE(speed.path, speed.rate.norm() * (1.0 - 1e-9));
     Pose moved = pose;
     double path = 0.0;
     for (int k = 0; k < 100; ++k) {
-      const Pose next = displaced(robot_->task_space(), moved, 0.01 * twist);
+      const Pose next = displaced(robot_->motions(), moved, 0.01 * twist);
       path += anchor_distance(*robot_, moved, next);
       moved = next;
     }
@@ -83,7 +83,7 @@ TEST_P(ClearRegions, NoSignChangesInAClearHalfSpace) {
     for (int k = 0; k < 30; ++k) {
       const TaskVector twist = random_twist();
       const double reach = random_.uniform(0.0, 0.9) * radius / speed_of(twist).path;
-      const Pose other = displaced(robot_->task_space(), pose, reach * twist);
+      const Pose other = displaced(robot_->motions(), pose, reach * twist);
       const int there = test::sign_in_doubles(*robot_, other, mode);
       // Coordinates of the pose to first order; the bend bounds what that is off by.
       const double turned = reach * speed_of(twist).turn;
@@ -117,7 +117,7 @@ TEST_P(ClearRegions, NoSignChangesInAClearHalfBall) {
       const MetricSpeed speed = speed_of(twist);
       const double reach = random_.uniform(0.0, 0.9) * radius / speed.path;
       if (!(reach * speed.rate.dot(ahead) > region_->bend(reach * speed.turn))) continue;
-      const Pose other = displaced(robot_->task_space(), pose, reach * twist);
+      const Pose other = displaced(robot_->motions(), pose, reach * twist);
       const int there = test::sign_in_doubles(*robot_, other, mode);
       EXPECT_TRUE(there == 0 || there == sign)
           << to_string(robot_->task_space(), pose) << " to " << to_string(robot_->task_space(), other);
@@ -138,8 +138,8 @@ TEST_P(ClearRegions, DistancesAreAtMostDistorted) {
                  t = random_.uniform(0.0, 1.0) * radius / other.path;
     const double off = region_->bend(s * one.turn) + region_->bend(t * other.turn);
     const double straight = (s * one.rate - t * other.rate).norm();
-    const double distance = anchor_distance(*robot_, displaced(robot_->task_space(), pose, s * a),
-                                            displaced(robot_->task_space(), pose, t * b));
+    const double distance = anchor_distance(*robot_, displaced(robot_->motions(), pose, s * a),
+                                            displaced(robot_->motions(), pose, t * b));
     EXPECT_GE(distance, (1.0 - region_->distortion(radius)) * (straight - off) - 1e-9 * radius);
   }
 }

@@ -186,7 +186,7 @@ TEST(GuardBeyondLimits, LetsTheJointComeBack) {
   ASSERT_TRUE(start);
   const BoundaryDistance limit = loop.measure(start->pose, start->mode).actuated_limit;
   const Pose beyond =
-      displaced(robot->task_space(), start->pose, (limit.upper + 0.01 * robot->size()) * limit.direction);
+      displaced(robot->motions(), start->pose, (limit.upper + 0.01 * robot->size()) * limit.direction);
   const TrackedState state = test::tracked_at(*robot, beyond, start->mode, 0.0);
   ASSERT_FALSE(robot->within_limits(state.q));
   const ProvedDistances proved = test::proved_of(loop.measure(beyond, start->mode), beyond, start->mode);

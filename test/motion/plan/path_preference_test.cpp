@@ -52,7 +52,8 @@ TEST_P(PathPreferenceOf, IsWhatItSays) {
   const auto map = test::map_of(robot, options);
   PathPlanner planner(map);
   const SegmentCertifier certifier(robot);
-  const PathTime time = path_timer(certifier, pose_between, test::usual_accelerations(*robot));
+  const PathTime time =
+      path_timer(certifier, between_poses(TaskSpace::SE3), test::usual_accelerations(*robot));
   const PathPolicy policy = GetParam().policy;
   Compared compared;
   const int pairs = test::is_sanitized ? 3 : GetParam().pairs;
@@ -108,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& each) { return std::string(each.param.name); });
 
 PlannedPath path_through(const Robot& robot, const std::vector<Pose>& poses) {
-  PathBuilder builder(*robot, pose_between);
+  PathBuilder builder(*robot, between_poses(TaskSpace::SE3));
   builder.go(poses, working_modes(*robot).front());
   return builder.take("");
 }

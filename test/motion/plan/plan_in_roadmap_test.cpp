@@ -75,7 +75,8 @@ TEST_P(PlanInRoadmapOf, PassesSerialGatesWithProof) {
     expect_no_contradiction(robot, path);
     const JointVector accelerations = test::usual_accelerations(*robot);
     if (accelerations.size() == 0) continue;
-    const TimedPath timed = time_path(roadmap->certifier(), path, pose_between, accelerations);
+    const TimedPath timed =
+        time_path(roadmap->certifier(), path, between_poses(TaskSpace::SE3), accelerations);
     EXPECT_LE(test::limits_taken(*robot, timed.waypoints, accelerations), 1.0);
   }
   std::printf("%s: %d found, %d of other signs, of %d\n", GetParam(), found, none, pairs);
@@ -136,7 +137,8 @@ TEST(PlanInRoadmap, LooksForGatesFromTheGoalToo) {
   EXPECT_EQ(path.points.front().q, inverse(*robot, from.pose, first).q);
   EXPECT_EQ(path.points.back().pose.position, to.pose.position);
   expect_no_contradiction(robot, path);
-  EXPECT_TRUE(time_path(roadmap->certifier(), path, pose_between, test::usual_accelerations(*robot)));
+  EXPECT_TRUE(time_path(roadmap->certifier(), path, between_poses(TaskSpace::SE3),
+                        test::usual_accelerations(*robot)));
 }
 
 // With a margin, which every pose keeps, the gates too.

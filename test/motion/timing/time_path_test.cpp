@@ -226,8 +226,9 @@ TEST(TimePath, TimesPathsOverARoadmap) {
     const PlannedPath path = plan_in_roadmap(*roadmap, from, to);
     if (!path) continue;
     SCOPED_TRACE("pair " + std::to_string(i));
-    expect_good(*robot, path,
-                time_path(SegmentCertifier(robot), path, pose_between, accelerations_of(*robot)));
+    expect_good(
+        *robot, path,
+        time_path(SegmentCertifier(robot), path, between_poses(TaskSpace::SE3), accelerations_of(*robot)));
     ++found;
   }
   EXPECT_GT(found, test::is_sanitized ? -1 : 0);
@@ -255,8 +256,8 @@ TEST(TimePath, IsTheTrapezoidOfASingleJoint) {
   const double distance = to.position.norm() - from.position.norm();  // the first strut begins at the origin
   JointVector accelerations(2);
   accelerations << 5.0, 1e6;
-  const TimedPath timed =
-      time_path(SegmentCertifier(robot), path_of(robot, {from, to}), pose_between, accelerations);
+  const TimedPath timed = time_path(SegmentCertifier(robot), path_of(robot, {from, to}),
+                                    between_poses(TaskSpace::SE3), accelerations);
   ASSERT_TRUE(timed) << timed.message;
   const double least =
       distance > 2.0 * 2.0 / 5.0 ? distance / 2.0 + 2.0 / 5.0 : 2.0 * std::sqrt(distance / 5.0);
@@ -288,7 +289,8 @@ TEST(TimePath, KeepsJointLimitsWhereALegPassesAGate) {
   const PathEnd from{Pose::planar(4.5, 8.0), WorkingMode::from_signs({1, 1})},
       to{Pose::planar(4.5, -8.0), WorkingMode::from_signs({-1, 1})};
   const PlannedPath path = planner.plan(from, to, PathPolicy::serial);
-  const TimedPath timed = time_path(SegmentCertifier(robot), path, pose_between, accelerations_of(*robot));
+  const TimedPath timed =
+      time_path(SegmentCertifier(robot), path, between_poses(TaskSpace::SE3), accelerations_of(*robot));
   expect_good(*robot, path, timed);
   TrajectoryStart start;
   start.pose = from.pose;
@@ -307,7 +309,7 @@ TEST(TimePath, KeepsJointLimitsWhereALegPassesAGate) {
 TEST(TimePath, IsOneWaypointWhereNothingMoves) {
   const Robot robot = with_speeds(test::five_bar());
   const TimedPath timed = time_path(SegmentCertifier(robot), path_of(robot, {Pose::planar(4.5, 8.0)}),
-                                    pose_between, accelerations_of(*robot));
+                                    between_poses(TaskSpace::SE3), accelerations_of(*robot));
   ASSERT_EQ(timed.waypoints.size(), 1U);
   EXPECT_EQ(timed.seconds, 0.0);
 }
@@ -319,7 +321,7 @@ TEST(TimePath, EndsWhereItIsCancelled) {
   control.cancelled = &cancelled;
   const TimedPath timed =
       time_path(SegmentCertifier(robot), path_of(robot, {Pose::planar(4.5, 8.0), Pose::planar(4.0, 7.5)}),
-                pose_between, accelerations_of(*robot), control);
+                between_poses(TaskSpace::SE3), accelerations_of(*robot), control);
   EXPECT_FALSE(timed);
   EXPECT_EQ(timed.message, "Cancelled.");
 }
@@ -329,7 +331,7 @@ TEST(TimePath, RefusesAPathThatIsNotFree) {
   const Robot robot = with_speeds(test::five_bar());
   const TimedPath timed =
       time_path(SegmentCertifier(robot), path_of(robot, {Pose::planar(4.5, 8.0), Pose::planar(4.5, -8.0)}),
-                pose_between, accelerations_of(*robot));
+                between_poses(TaskSpace::SE3), accelerations_of(*robot));
   EXPECT_FALSE(timed);
   EXPECT_NE(timed.message.find("No trajectory"), std::string::npos) << timed.message;
 }

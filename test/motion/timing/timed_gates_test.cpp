@@ -83,7 +83,8 @@ TEST(TimePath, KeepsClearOfObstaclesWhereALegPassesAGate) {
   const Robot robot = with_speeds(test::five_bar());
   const PlannedPath path = through_gate(robot);
   ASSERT_EQ(path.crossings.size(), 1U) << path.message;
-  const TimedPath timed = time_path(SegmentCertifier(robot), path, pose_between, accelerations_of(*robot));
+  const TimedPath timed =
+      time_path(SegmentCertifier(robot), path, between_poses(TaskSpace::SE3), accelerations_of(*robot));
   ASSERT_TRUE(timed) << timed.message;
   const auto links = links_along(*robot, timed.waypoints, path.points.front().pose.position);
   const Eigen::Vector3d gate = path.points[path.crossings.front().point].pose.position;
@@ -120,7 +121,8 @@ TEST(TimePath, KeepsAParallelMarginThroughAGate) {
   const Robot robot = with_speeds(test::five_bar())->with_margins({0.01, 0.0, 0.0});
   const PlannedPath path = through_gate(robot);
   ASSERT_EQ(path.crossings.size(), 1U) << path.message;
-  const TimedPath timed = time_path(SegmentCertifier(robot), path, pose_between, accelerations_of(*robot));
+  const TimedPath timed =
+      time_path(SegmentCertifier(robot), path, between_poses(TaskSpace::SE3), accelerations_of(*robot));
   EXPECT_TRUE(timed) << timed.message;
   for (const LinksAt& each : links_along(*robot, timed.waypoints, path.points.front().pose.position)) {
     const Eigen::Vector3d one = (each.platform - each.tip[0]).normalized(),
@@ -132,7 +134,8 @@ TEST(TimePath, KeepsAParallelMarginThroughAGate) {
 TEST(TimePath, SaysThatASerialMarginShutsOutGates) {
   const Robot robot = with_speeds(test::five_bar())->with_margins({0.0, 0.01, 0.0});
   const PlannedPath path = through_gate(with_speeds(test::five_bar()));
-  const TimedPath timed = time_path(SegmentCertifier(robot), path, pose_between, accelerations_of(*robot));
+  const TimedPath timed =
+      time_path(SegmentCertifier(robot), path, between_poses(TaskSpace::SE3), accelerations_of(*robot));
   EXPECT_FALSE(timed);
   EXPECT_NE(timed.message.find("serial margin"), std::string::npos) << timed.message;
 }

@@ -53,7 +53,7 @@ class PartialJointStates {
     const Manipulator& manipulator = *mechanism.manipulator();
     const Eigen::VectorXd coordinates =
         Eigen::Map<const Eigen::VectorXd>(given.data(), static_cast<Eigen::Index>(given.size()));
-    const Pose pose = *pose_from_coordinates(manipulator.task_space(), coordinates);
+    const Pose pose = *pose_from_coordinates(manipulator.motions(), coordinates);
     const AssembledConfiguration assembled = mechanism.assembled();
     return {pose, inverse(manipulator, pose, *working_mode(manipulator, assembled.pose, assembled.q)).q};
   }

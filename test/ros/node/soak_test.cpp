@@ -158,7 +158,7 @@ TEST(Soak, EveryStateIsRightAndMemoryIsFlat) {
   const auto coordinates = nh.param("aspect_node/start/pose", std::vector<double>());
   const PoseCoordinates values =
       Eigen::Map<const Eigen::VectorXd>(coordinates.data(), static_cast<Eigen::Index>(coordinates.size()));
-  start = pose_from_coordinates(robot.task_space(), values).value_or(start);
+  start = pose_from_coordinates(robot.motions(), values).value_or(start);
   std::optional<WorkingMode> mode;
   for (const InverseSolution& solution : inverse_in_all_modes(robot, start))
     if (solution.status == InverseStatus::solved) mode = solution.mode;

@@ -34,7 +34,7 @@ TEST(PathPicture, HasTheColourOfEachPoint) {
   PlannedPath path;
   path.answer = SameAspect::yes;
   for (const double y : {8.0, 4.0}) path.points.push_back({test::pose_at(4.5, y), mode, {}});
-  const auto markers = path_markers(robot, path, pose_between, 1.0).markers;
+  const auto markers = path_markers(robot, path, between_poses(TaskSpace::SE3), 1.0).markers;
   ASSERT_EQ(markers.size(), 3U);  // delete, line, ends
   const auto& line = markers[1];
   ASSERT_EQ(line.colors.size(), line.points.size());

@@ -18,7 +18,13 @@ Eigen::Quaterniond RandomRobots::orientation() {
   return Eigen::Quaterniond(w, x, y, z).normalized();
 }
 
-Pose RandomRobots::pose(TaskSpace space, double spread) {
+Pose RandomRobots::pose(const Motions& motions, double spread) {
+  const TaskSpace space = motions.space;
+  if (has_hinges(space)) {
+    PoseCoordinates angles(static_cast<Eigen::Index>(degrees_of_freedom(space)));
+    for (Eigen::Index i = 0; i < angles.size(); ++i) angles[i] = uniform(-EIGEN_PI, EIGEN_PI);
+    return pose_from_coordinates(motions, angles).value();
+  }
   Pose result;
   if (has_translation(space)) result.position = spread * vector(is_planar(space));
   if (space == TaskSpace::T1) result.position.y() = 0.0;
@@ -53,7 +59,9 @@ std::shared_ptr<const Manipulator> RandomRobots::robot(TaskSpace space, Actuatio
     legs[j].anchor = vector(planar);
     legs[j].rod_length = uniform(0.8, 2.0);
   }
-  return manipulator("random " + std::string(name(space)), space, std::move(legs));
+  HingePair hinges;
+  if (space == TaskSpace::R2) hinges = {uniform(-0.5, 0.5), uniform(0.3, 2.8)};
+  return manipulator("random " + std::string(name(space)), space, std::move(legs), hinges);
 }
 
 bool RandomRobots::is_planar(TaskSpace space) {

@@ -15,8 +15,9 @@
 
 namespace parallel_aspects::test {
 
-inline constexpr std::array<TaskSpace, 6> all_task_spaces{TaskSpace::T1, TaskSpace::T2,  TaskSpace::SE2,
-                                                          TaskSpace::T3, TaskSpace::SO3, TaskSpace::SE3};
+inline constexpr std::array<TaskSpace, 8> all_task_spaces{TaskSpace::T1, TaskSpace::T2,  TaskSpace::SE2,
+                                                          TaskSpace::T3, TaskSpace::SO3, TaskSpace::SE3,
+                                                          TaskSpace::R1, TaskSpace::R2};
 
 enum class ActuationKind { revolute, prismatic, strut, elbow };
 inline constexpr std::array<ActuationKind, 4> all_actuation_kinds{
@@ -35,7 +36,8 @@ class RandomRobots {
 
   Eigen::Quaterniond orientation();
 
-  Pose pose(TaskSpace space, double spread = 1.0);
+  /// Of R2, `motions` must be those of a robot.
+  Pose pose(const Motions& motions, double spread = 1.0);
 
   Actuation actuation(ActuationKind kind, bool planar);
 

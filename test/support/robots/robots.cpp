@@ -18,11 +18,12 @@ Leg named_leg(std::size_t index) {
 }
 
 std::shared_ptr<const Manipulator> manipulator(const std::string& name, TaskSpace space,
-                                               std::vector<Leg> legs) {
+                                               std::vector<Leg> legs, const HingePair& hinges) {
   ManipulatorDescription description;
   description.name = name;
   description.task_space = space;
   description.legs = std::move(legs);
+  description.hinges = hinges;
   return std::make_shared<const Manipulator>(description);
 }
 
@@ -59,6 +60,38 @@ std::shared_ptr<const Manipulator> five_bar() {
   return manipulator(
       "five_bar", TaskSpace::T2,
       {planar_revolute_leg(0, {0.0, 0.0}, 8.0, 5.0), planar_revolute_leg(1, {9.0, 0.0}, 5.0, 8.0)});
+}
+
+std::shared_ptr<const Manipulator> four_bar(double rocker, double base, double crank, double rod) {
+  return manipulator("four_bar", TaskSpace::R1,
+                     {planar_revolute_leg(0, {base, 0.0}, crank, rod, {rocker, 0.0})});
+}
+
+std::shared_ptr<const Manipulator> ankle() {
+  using Eigen::Vector3d;
+  const HingePair hinges{0.016, 0.5 * EIGEN_PI};
+  Eigen::Isometry3d task = Eigen::Isometry3d::Identity();
+  task.linear() << -Vector3d::UnitZ(), -Vector3d::UnitX(), Vector3d::UnitY();
+  const Pose zero = pose_from_coordinates({TaskSpace::R2, hinges}, Eigen::Vector2d::Zero()).value();
+  const Eigen::Isometry3d foot = task * (Eigen::Translation3d(zero.position) * zero.orientation);
+  const Vector3d below(0.0, 0.0, -0.016);
+  std::vector<Leg> legs;
+  for (const double side : {1.0, -1.0}) {
+    Leg leg = named_leg(legs.size());
+    const Vector3d pivot(-0.005, 0.032 * side, side > 0.0 ? 0.205 : 0.135);
+    leg.actuation = RevoluteActuation{task.inverse() * pivot, task.linear().transpose() * -Vector3d::UnitY(),
+                                      task.linear().transpose() * Vector3d::UnitX(), 0.024};
+    leg.anchor = foot.inverse() * (below + Vector3d(-0.048, 0.026 * side, 0.010));
+    leg.rod_length = side > 0.0 ? 0.2119 : 0.1424;
+    legs.push_back(leg);
+  }
+  ManipulatorDescription description;
+  description.name = "ankle";
+  description.task_space = TaskSpace::R2;
+  description.legs = legs;
+  description.task_frame = task;
+  description.hinges = hinges;
+  return std::make_shared<const Manipulator>(description);
 }
 
 std::shared_ptr<const Manipulator> limited_five_bar() {

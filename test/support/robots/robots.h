@@ -18,7 +18,7 @@ using Points = std::vector<Eigen::Vector3d>;
 Leg named_leg(std::size_t index);
 
 std::shared_ptr<const Manipulator> manipulator(const std::string& name, TaskSpace space,
-                                               std::vector<Leg> legs);
+                                               std::vector<Leg> legs, const HingePair& hinges = {});
 
 Leg planar_revolute_leg(std::size_t index, const Eigen::Vector2d& center, double crank, double rod,
                         const Eigen::Vector2d& anchor = Eigen::Vector2d::Zero());
@@ -32,6 +32,14 @@ Points on_circle(double radius, const std::vector<double>& degrees);
 std::shared_ptr<const Manipulator> five_bar();
 
 std::shared_ptr<const Manipulator> limited_five_bar();
+
+/// A four-bar as a robot of R1: the rocker turns about the origin; the crank at (0.4, 0) unless told
+/// otherwise.
+std::shared_ptr<const Manipulator> four_bar(double rocker = 0.25, double base = 0.4, double crank = 0.3,
+                                            double rod = 0.35);
+
+/// An ankle: pitch about y at the origin, roll about x 0.016 m below it; cranks about -y in the shank.
+std::shared_ptr<const Manipulator> ankle();
 
 /// Bipod 2-RPR with base points (0,0) and (5,0) and struts limited to [2,6] and [4,9].
 std::shared_ptr<const Manipulator> bipod();
