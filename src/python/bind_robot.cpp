@@ -28,18 +28,22 @@ struct ShippedRobot {
   SharedMechanism (*load)();
 };
 
-constexpr std::array<ShippedRobot, 12> shipped_robots{{{"agile_eye", models::agile_eye},
+constexpr std::array<ShippedRobot, 16> shipped_robots{{{"agile_eye", models::agile_eye},
+                                                       {"ankle", models::ankle},
                                                        {"bipod", models::bipod},
                                                        {"delta", models::delta},
                                                        {"five_bar", models::five_bar},
+                                                       {"four_bar", models::four_bar},
                                                        {"hexa", models::hexa},
                                                        {"linear_delta", models::linear_delta},
                                                        {"six_pus", models::six_pus},
+                                                       {"skew_wrist", models::skew_wrist},
                                                        {"spherical_3rrr", models::spherical_3rrr},
                                                        {"stewart", models::stewart},
                                                        {"three_prr", models::three_prr},
                                                        {"three_rpr", models::three_rpr},
-                                                       {"three_rrr", models::three_rrr}}};
+                                                       {"three_rrr", models::three_rrr},
+                                                       {"tilt_table", models::tilt_table}}};
 
 std::vector<std::string> robots() {
   std::vector<std::string> names;

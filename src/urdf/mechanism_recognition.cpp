@@ -179,6 +179,7 @@ class Recogniser {
     description.base_frame =
         (config_.frame_prefix.empty() ? "" : config_.frame_prefix + "/") + tree_->links[resolved_.base];
     description.task_frame = motion.task_frame;
+    description.hinges = motion.hinges;
     for (const RecognisedLeg& leg : legs) description.legs.push_back(leg.leg);
     return description;
   }
@@ -187,6 +188,7 @@ class Recogniser {
     Constraints constraints;
     constraints.passive_limits = limits.limits;
     constraints.passive_cones = limits.cones;
+    constraints.hinge_limits = limits.hinges;
     constraints.missing_joints = limits.missing;
     constraints.workspace = bounds.box;
     return constraints;

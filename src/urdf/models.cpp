@@ -39,6 +39,10 @@ SharedMechanism agile_eye() { return shipped("agile_eye"); }
 SharedMechanism spherical_3rrr() { return shipped("spherical_3rrr"); }
 SharedMechanism hexa() { return shipped("hexa"); }
 SharedMechanism six_pus() { return shipped("six_pus"); }
+SharedMechanism ankle() { return shipped("ankle"); }
+SharedMechanism four_bar() { return shipped("four_bar"); }
+SharedMechanism tilt_table() { return shipped("tilt_table"); }
+SharedMechanism skew_wrist() { return shipped("skew_wrist"); }
 SharedMechanism stewart() { return shipped("stewart"); }
 
 }  // namespace parallel_aspects::models

@@ -19,7 +19,8 @@ const fs::path root = PARALLEL_ASPECTS_SOURCE_DIR;
 const std::vector<SharedMechanism (*)()> all_models{
     models::bipod,          models::five_bar, models::three_prr,    models::three_rpr,
     models::three_rrr,      models::delta,    models::linear_delta, models::agile_eye,
-    models::spherical_3rrr, models::hexa,     models::six_pus,      models::stewart};
+    models::spherical_3rrr, models::hexa,     models::six_pus,      models::stewart,
+    models::ankle,          models::four_bar, models::tilt_table,   models::skew_wrist};
 
 SharedMechanism from_files(const std::string& name) {
   return load_mechanism_files(root / "urdf" / (name + ".urdf"), root / "config/robots" / (name + ".yaml"));

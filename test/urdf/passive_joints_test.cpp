@@ -38,7 +38,7 @@ class PassiveJointsOf : public testing::TestWithParam<const char*> {
                   (k < static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot.task_space()))
                        ? 0.2
                        : 0.05 * robot.size());
-      const Pose pose = displaced(robot.task_space(), assembled.pose, step);
+      const Pose pose = displaced(robot.motions(), assembled.pose, step);
       for (const WorkingMode& mode : working_modes(robot)) {
         const InverseSolution solution = inverse(robot, pose, mode);
         if (solution.status != InverseStatus::solved || !passive_.within_limits(pose, solution.q)) continue;

@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include "support/robots/robots.h"
 #include "support/robots/shipped.h"
 #include "support/urdf_frames.h"
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <random>
 
 namespace parallel_aspects {
@@ -29,10 +32,26 @@ class ShippedRobot : public ::testing::TestWithParam<Expected> {
   const YAML::Node config_ = YAML::Load(test::source_file("config/robots/" + GetParam().robot + ".yaml"));
 };
 
+// The pose coordinates are the values of the joints of the passive chain.
+void expect_hinges_at(const Pose& pose, const std::map<std::string, double>& joints) {
+  const bool is_one = joints.count("rocker_joint") > 0;
+  const PoseCoordinates angles = pose_coordinates(is_one ? TaskSpace::R1 : TaskSpace::R2, pose);
+  std::vector<const char*> names{"rocker_joint"};
+  if (joints.count("first_joint") > 0) names = {"first_joint", "second_joint"};
+  if (joints.count("pitch_joint") > 0) names = {"pitch_joint", "roll_joint"};
+  if (joints.count("strut_1_joint") > 0) names = {"roll_joint", "pitch_joint"};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    EXPECT_NEAR(std::remainder(joints.at(names[i]) - angles[static_cast<Eigen::Index>(i)], 2.0 * EIGEN_PI),
+                0.0, 1e-11)
+        << names[i];
+}
+
 TEST_P(ShippedRobot, IsRecognised) {
   EXPECT_EQ(manipulator_.name(), GetParam().robot);
   EXPECT_EQ(manipulator_.task_space(), GetParam().space);
-  EXPECT_TRUE(manipulator_.task_frame().isApprox(Eigen::Isometry3d::Identity(), 1e-12));
+  if (GetParam().space != TaskSpace::R2) {
+    EXPECT_TRUE(manipulator_.task_frame().isApprox(Eigen::Isometry3d::Identity(), 1e-12));
+  }
   EXPECT_EQ(static_cast<std::size_t>(mechanism_->mobility()), degrees_of_freedom(GetParam().space));
   EXPECT_EQ(mechanism_->idle_degrees_of_freedom(), 0);
   EXPECT_EQ(working_modes(manipulator_).size(), GetParam().modes);
@@ -46,7 +65,7 @@ TEST_P(ShippedRobot, IsRecognised) {
 
 TEST_P(ShippedRobot, StartsAtAPoseThatItReachesOffItsSingularities) {
   const auto numbers = config_["start"]["pose"].as<std::vector<double>>();
-  const auto pose = pose_from_coordinates(GetParam().space,
+  const auto pose = pose_from_coordinates(manipulator_.motions(),
                                           PoseCoordinates(Eigen::Map<const Eigen::VectorXd>(
                                               numbers.data(), static_cast<Eigen::Index>(numbers.size()))));
   ASSERT_TRUE(pose);
@@ -68,8 +87,11 @@ TEST_P(ShippedRobot, CompletesItsPassiveJoints) {
   for (int trial = 0; trial < 200; ++trial) {
     TaskVector step(static_cast<Eigen::Index>(manipulator_.leg_count()));
     for (double& entry : coefficients_of(step)) entry = 0.3 * manipulator_.size() * number(random);
-    if (has_rotation(GetParam().space)) step.head(step.size() / 2) /= 0.3 * manipulator_.size();
-    const Pose pose = displaced(GetParam().space, mechanism_->assembled().pose, step);
+    if (has_hinges(GetParam().space))
+      step /= 0.3 * manipulator_.size();
+    else if (has_rotation(GetParam().space))
+      step.head(step.size() / 2) /= 0.3 * manipulator_.size();
+    const Pose pose = displaced(manipulator_.motions(), mechanism_->assembled().pose, step);
     for (const InverseSolution& solution : inverse_in_all_modes(manipulator_, pose)) {
       if (solution.status == InverseStatus::out_of_reach) continue;
       ASSERT_TRUE(mechanism_->complete(pose, solution.q, positions)) << to_string(GetParam().space, pose);
@@ -83,6 +105,10 @@ TEST_P(ShippedRobot, CompletesItsPassiveJoints) {
         const auto one = test::link_frame(*model, closure["frames"][0].as<std::string>(), joints);
         const auto other = test::link_frame(*model, closure["frames"][1].as<std::string>(), joints);
         EXPECT_LT((one.translation() - other.translation()).norm(), 1e-12 * manipulator_.size());
+      }
+      if (has_hinges(GetParam().space)) {
+        expect_hinges_at(pose, joints);
+        continue;
       }
       const Eigen::Isometry3d platform = test::link_frame(*model, mechanism_->platform_link(), joints);
       EXPECT_LT((platform.translation() - pose.position).norm(), 1e-12 * manipulator_.size());
@@ -109,7 +135,7 @@ TEST_P(ShippedRobot, HasTheMatricesThatItsEquationsHave) {
   for (int trial = 0; trial < 1000000 && compared < 2000; ++trial) {
     TaskVector step(n);
     for (Eigen::Index k = 0; k < n; ++k) step[k] = number(random) * (k < turns ? EIGEN_PI : 0.3 * size);
-    const Pose pose = displaced(GetParam().space, mechanism_->assembled().pose, step);
+    const Pose pose = displaced(manipulator_.motions(), mechanism_->assembled().pose, step);
     const JointVector q = inverse(manipulator_, pose, modes[random() % modes.size()]).q;
     if (q.size() != n) continue;
     ++compared;
@@ -117,8 +143,8 @@ TEST_P(ShippedRobot, HasTheMatricesThatItsEquationsHave) {
     const TaskVector b = inverse_diagonal(manipulator_, pose, q);
     for (Eigen::Index k = 0; k < n; ++k) {
       const TaskVector t = twist[k] * TaskVector::Unit(n, k), dq = change[k] * TaskVector::Unit(n, k);
-      const TaskVector by_pose = residuals(manipulator_, displaced(GetParam().space, pose, t), q) -
-                                 residuals(manipulator_, displaced(GetParam().space, pose, -t), q);
+      const TaskVector by_pose = residuals(manipulator_, displaced(manipulator_.motions(), pose, t), q) -
+                                 residuals(manipulator_, displaced(manipulator_.motions(), pose, -t), q);
       const TaskVector by_joint =
           residuals(manipulator_, pose, q + dq) - residuals(manipulator_, pose, q - dq);
       ASSERT_LT((by_pose - 4.0 * (a * t)).cwiseAbs().maxCoeff(), tolerance)
@@ -142,6 +168,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Expected{"stewart", TaskSpace::SE3, "strut", 1},
                       Expected{"hexa", TaskSpace::SE3, "actuated revolute joint", 64},
                       Expected{"six_pus", TaskSpace::SE3, "actuated prismatic joint", 64},
+                      Expected{"ankle", TaskSpace::R2, "actuated revolute joint", 4},
+                      Expected{"skew_wrist", TaskSpace::R2, "actuated revolute joint", 4},
+                      Expected{"tilt_table", TaskSpace::R2, "strut", 1},
+                      Expected{"four_bar", TaskSpace::R1, "actuated revolute joint", 2},
                       Expected{"agile_eye", TaskSpace::SO3, "actuated revolute joint", 8},
                       Expected{"spherical_3rrr", TaskSpace::SO3, "actuated revolute joint", 8}),
     [](const ::testing::TestParamInfo<Expected>& tested) { return tested.param.robot; });
@@ -158,6 +188,20 @@ TEST(ThreeRpr, HasThePublishedLengths) {
     EXPECT_NEAR(solution.q[0], 14.98, 1e-6);
     EXPECT_NEAR(solution.q[1], 15.38, 1e-6);
     EXPECT_NEAR(solution.q[2], 12.0, 1e-6);
+  }
+}
+
+// That of `test::ankle`, which is written in the task frame by hand.
+TEST(Ankle, IsThatOfItsUrdf) {
+  const auto loaded = test::shipped("ankle")->manipulator(), made = test::ankle();
+  EXPECT_NEAR(loaded->motions().hinges.offset, 0.016, 1e-15);
+  EXPECT_EQ(loaded->motions().hinges.twist, made->motions().hinges.twist);
+  EXPECT_TRUE(loaded->task_frame().isApprox(made->task_frame(), 1e-14));
+  for (std::size_t j = 0; j < 2; ++j) {
+    EXPECT_LT((loaded->leg(j).anchor - made->leg(j).anchor).norm(), 1e-14);
+    EXPECT_NEAR(loaded->leg(j).rod_length, made->leg(j).rod_length, 1e-14);
+    for (double q = -3.0; q < 3.0; q += 0.5)
+      EXPECT_LT((loaded->leg(j).proximal_point(q) - made->leg(j).proximal_point(q)).norm(), 1e-14) << q;
   }
 }
 

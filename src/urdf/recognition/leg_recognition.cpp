@@ -58,7 +58,7 @@ class ChainRecogniser {
 
   // In the plane a ball joint turns about the normal.
   Chain flattened(Chain chain) const {
-    if (!is_planar(motion_.space)) return chain;
+    if (!setting_.planar) return chain;
     for (Pivot& pivot : chain) {
       if (pivot.kind != PivotKind::ball) continue;
       pivot.kind = PivotKind::revolute;
@@ -140,7 +140,7 @@ class ChainRecogniser {
     if (group.empty()) return std::nullopt;
     for (const Pivot& pivot : group)
       if (pivot.kind == PivotKind::prismatic) return std::nullopt;
-    if (is_planar(motion_.space)) {
+    if (setting_.planar) {
       const auto point = common(group, [this](const Pivot& pivot) { return in_plane(pivot); });
       return point ? point : meeting_point(group);
     }
@@ -259,7 +259,7 @@ class LegBuilder {
 
   // Into the plane of a planar robot; what rounding left of a zero becomes zero.
   Vector3d flat(Vector3d vector) const {
-    if (is_planar(motion_.space)) vector.z() = 0.0;
+    if (setting_.planar) vector.z() = 0.0;
     const double zero = rounding_share * setting_.size;
     return vector.unaryExpr([zero](double entry) { return std::abs(entry) < zero ? 0.0 : entry; });
   }
@@ -269,7 +269,7 @@ class LegBuilder {
 
   std::optional<Vector3d> axis(const Pivot& actuation) {
     Vector3d direction = actuation.sense * (to_task_.linear() * actuation.axis);
-    if (!is_planar(motion_.space)) return direction.normalized();
+    if (!setting_.planar) return direction.normalized();
     const bool revolute = actuation.kind == PivotKind::revolute;
     const double off = revolute ? direction.head<2>().norm() : std::abs(direction.z());
     if (off > direction_tolerance)
@@ -351,11 +351,30 @@ SplitChain mean(const std::vector<SplitChain>& chains) {
   return result;
 }
 
+// Where the platform turns about one axis, a rod with an end that turns about that direction, too, keeps the
+// heights of both ends. So it moves as in the plane, if all else of its leg does.
+bool is_planar_leg(const LegChains& leg, std::size_t actuated_variable, const PlatformMotion& motion) {
+  if (motion.space != TaskSpace::R1) return is_planar(motion.space);
+  const Vector3d normal = motion.task_frame.linear().col(2);
+  bool turns_in_plane = false;
+  for (const Chain& chain : leg.chains)
+    for (const Pivot& pivot : chain) {
+      if (pivot.kind == PivotKind::ball) continue;
+      const bool slides = pivot.kind == PivotKind::prismatic;
+      const double off = slides ? std::abs(pivot.axis.dot(normal)) : pivot.axis.cross(normal).norm();
+      if (off > direction_tolerance) return false;
+      turns_in_plane = turns_in_plane || (!slides && pivot.variable != actuated_variable);
+    }
+  return turns_in_plane;
+}
+
 }  // namespace
 
 std::optional<RecognisedLeg> recognise_leg(const LegChains& leg, std::size_t actuated_variable,
-                                           const LegSetting& setting, const std::string& file,
+                                           const LegSetting& given, const std::string& file,
                                            Problems& problems) {
+  LegSetting setting = given;
+  setting.planar = is_planar_leg(leg, actuated_variable, *setting.motion);
   const auto refuse = [&](const std::string& reason) {
     problems.push_back(file + " has a leg through " + names_of(leg.chains.front()) + " that " + reason +
                        "; it is not a distance leg and cannot be treated.");

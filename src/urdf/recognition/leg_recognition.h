@@ -45,6 +45,7 @@ struct LegSetting {
   double joint_value = 0.0;  ///< at the assembled configuration [rad or m]
   JointLimits limits;        ///< of the actuated joint
   std::string name;          ///< of the leg
+  bool planar = false;       ///< whether the leg stays in the x-y plane; `recognise_leg` finds it
 };
 
 /// The leg as one distance equation. Nothing, and a message in `problems` that starts with `file`, when it

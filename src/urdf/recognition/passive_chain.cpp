@@ -178,6 +178,9 @@ Notes notes_on(const std::vector<PassiveChain>& chains, const SlideBounds& bound
                TaskSpace space) {
   Notes notes;
   for (const PassiveChain& chain : chains) {
+    const bool is_pose =
+        has_hinges(space) && chain.slides.empty() && chain.rotations.size() == degrees_of_freedom(space);
+    if (is_pose) continue;
     Chain all = chain.slides;
     for (const Chain& more : {chain.rotations, chain.follower})
       all.insert(all.end(), more.begin(), more.end());

@@ -80,6 +80,7 @@ class Search {
       : system_(system), values_(values), motion_(motion), to_task_(motion.task_frame.inverse()) {}
 
   FoundPassiveLimits run(const std::vector<RecognisedLeg>& legs, const std::vector<std::size_t>& bounded) {
+    add_hinges();
     for (std::size_t j = 0; j < legs.size(); ++j) {
       if (motion_.space == TaskSpace::SO3 || !legs[j].leg.kind().has_straight_rod) continue;
       for (const SplitChain& chain : legs[j].chains)
@@ -93,6 +94,15 @@ class Search {
   }
 
  private:
+  // Pose coordinates are the values of these joints.
+  void add_hinges() {
+    for (std::size_t k = 0; k < motion_.hinge_chain.size(); ++k) {
+      const auto variable = motion_.hinge_chain[k].variable;
+      if (variable && is_limited(*variable))
+        found_.hinges.push_back({joint(*variable).name, k, joint(*variable).limits});
+    }
+  }
+
   const TreeJoint& joint(std::size_t variable) const { return system_.tree().joint_of(variable); }
 
   bool is_limited(std::size_t variable) const {
@@ -111,6 +121,7 @@ class Search {
   bool is_reported(const std::string& name) const {
     const auto is_of_joint = [&name](const auto& limit) { return limit.joint == name; };
     return std::any_of(found_.limits.begin(), found_.limits.end(), is_of_joint) ||
+           std::any_of(found_.hinges.begin(), found_.hinges.end(), is_of_joint) ||
            std::any_of(found_.cones.begin(), found_.cones.end(), is_of_joint);
   }
 

@@ -45,6 +45,7 @@ std::optional<std::vector<LimitedDirection>> limited_directions(const UniversalA
 struct FoundPassiveLimits {
   std::vector<PassiveLimit> limits;  ///< of those whose angle is between two links of a planar leg
   std::vector<PassiveCone> cones;    ///< of universal joints at the ends of a leg in space
+  std::vector<HingeLimit> hinges;    ///< of the chain that holds the platform, in R1 and R2
   std::vector<std::string> missing;  ///< names of the others
 };
 

@@ -4,6 +4,9 @@
 #include "model/linear_algebra.h"
 #include "model/message_text.h"
 #include "urdf/closing/assembly.h"
+#include "urdf/recognition/description_rounding.h"
+
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +55,7 @@ class MotionFinder {
         actuated_joints_(actuated_joints),
         files_(files),
         problems_(problems),
+        values_(assembly.values),
         motions_(assembly.motions) {
     poses_ = link_poses(system.tree(), system.base(), assembly.values);
     link_ = poses_[actuated_joints.platform_link];
@@ -123,6 +127,7 @@ class MotionFinder {
 
   bool find_space() {
     const Eigen::Index count = joint_rates_.rows();
+    if (!point_may_spin_ && rank(twists_) == count && hangs_on_hinges()) return hinges();
     if (count == 1 && rank(linear()) == 1 && rank(angular()) == 0) return line();
     if (count == 2 && rank(linear()) == 2) return plane_of_points();
     if (count == 3 && !point_may_spin_ && rank(twists_) == 3) {
@@ -133,13 +138,87 @@ class MotionFinder {
     if (count == 6 && rank(twists_) == 6) return all_motions();
     return refuse(
         "names " + operational_point_text(system_.tree(), actuated_joints_.platform_link, files_) +
-        ", which moves in none of the task spaces T1 (1 actuated joint), T2 (2 actuated joints), SE2, "
+        ", which moves in none of the task spaces T1, R1 (1 actuated joint), T2, R2 (2 actuated joints), "
+        "SE2, "
         "T3, SO3 (3 actuated joints) or SE3 (6 actuated joints), but with " +
         std::to_string(rank(angular())) + " rotations and " + std::to_string(rank(linear())) +
         " translations for " + std::to_string(count) +
         " actuated joints; name a link of the body that all legs share, or where they meet, else the robot "
         "is not "
         "supported.");
+  }
+
+  // Whether a passive chain of as many revolute joints as are actuated joins the platform to the base, and no
+  // two of them are parallel.
+  bool hangs_on_hinges() {
+    constexpr double least_sine = 1e-2;
+    const AssembledMechanism mechanism{system_, values_, std::vector<bool>(system_.in_loop().size(), false)};
+    for (const JoiningPart& part : joining_parts(mechanism, actuated_joints_, files_)) {
+      if (part.is_actuated || part.chains.size() != 1) continue;
+      const Chain& chain = part.chains.front();
+      const bool turns = std::all_of(chain.begin(), chain.end(),
+                                     [](const Pivot& pivot) { return pivot.kind == PivotKind::revolute; });
+      if (!turns || static_cast<Eigen::Index>(chain.size()) != joint_rates_.rows() || chain.size() > 2)
+        continue;
+      if (chain.size() == 2 && chain[0].axis.cross(chain[1].axis).norm() < least_sine) continue;
+      result_.hinge_chain = chain;
+      return true;
+    }
+    return false;
+  }
+
+  double value_of(const Pivot& pivot) const {
+    return pivot.variable ? values_[static_cast<Eigen::Index>(*pivot.variable)] : 0.0;
+  }
+
+  // What rounding leaves of one.
+  static double right_angle(double angle) {
+    constexpr double half_pi = 0.5 * EIGEN_PI, rounding = 1e-12;
+    return std::abs(angle - half_pi) < rounding ? half_pi : angle;
+  }
+
+  bool hinges() {
+    if (result_.hinge_chain.size() == 1) return one_hinge();
+    return two_hinges();
+  }
+
+  bool one_hinge() {
+    const Pivot& pivot = result_.hinge_chain.front();
+    const Vector3d axis = (pivot.sense * pivot.axis).normalized();
+    result_.space = TaskSpace::R1;
+    result_.task_frame.linear() = axes_about(axis, Matrix3d::Identity());
+    result_.task_frame.translation() = pivot.point + axis * axis.dot(link_.translation() - pivot.point);
+    place_platform(Eigen::VectorXd::Constant(1, value_of(pivot)));
+    return true;
+  }
+
+  // As both joints are at zero.
+  bool two_hinges() {
+    const Pivot &first = result_.hinge_chain[0], &second = result_.hinge_chain[1];
+    const Vector3d axis = (first.sense * first.axis).normalized();
+    const Matrix3d back = Eigen::AngleAxisd(-value_of(first), axis).toRotationMatrix();
+    const Vector3d other = back * (second.sense * second.axis).normalized();
+    const Vector3d between = back * (second.point - first.point);
+    const Vector3d normal = axis.cross(other);
+    Matrix3d ways;  // along the first axis, the common normal, and back along the second axis
+    ways << axis, normal.normalized(), -other;
+    const Vector3d lengths = ways.partialPivLu().solve(between);
+    result_.space = TaskSpace::R2;
+    result_.hinges.offset = without_rounding_noise(lengths[1], system_.size());
+    result_.hinges.twist = right_angle(std::atan2(normal.norm(), axis.dot(other)));
+    result_.task_frame.linear().col(0) = normal.normalized();
+    result_.task_frame.linear().col(1) = axis.cross(normal.normalized());
+    result_.task_frame.linear().col(2) = axis;
+    result_.task_frame.translation() = first.point + lengths[0] * axis;
+    place_platform(Eigen::Vector2d(value_of(first), value_of(second)));
+    return true;
+  }
+
+  void place_platform(const PoseCoordinates& angles) {
+    const auto pose = pose_from_coordinates({result_.space, result_.hinges}, angles);
+    if (pose)
+      result_.platform =
+          result_.task_frame * Eigen::Isometry3d(Eigen::Translation3d(pose->position) * pose->orientation);
   }
 
   MatrixXd angular() const { return twists_.topRows(3); }
@@ -229,6 +308,7 @@ class MotionFinder {
   const ActuatedJoints& actuated_joints_;
   const SourceNames& files_;
   Problems& problems_;
+  Eigen::VectorXd values_;
   MatrixXd motions_;
   MatrixXd twists_;       // of the platform link at the operational point: w [rad], v over the size
   MatrixXd joint_rates_;  // by motion

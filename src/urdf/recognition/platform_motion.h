@@ -24,7 +24,9 @@ struct PlatformMotion {
   Eigen::Isometry3d task_frame = Eigen::Isometry3d::Identity();  ///< in the base frame [m]
   Eigen::Isometry3d platform =
       Eigen::Isometry3d::Identity();  ///< platform frame there, in the base frame [m]
-  Eigen::Index mobility = 0;          ///< degrees of freedom of the whole mechanism
+  HingePair hinges{};                 ///< of R2
+  Chain hinge_chain;          ///< of R1 and R2: the passive joints whose values are the pose coordinates
+  Eigen::Index mobility = 0;  ///< degrees of freedom of the whole mechanism
   Eigen::Index idle = 0;  ///< those that move neither an actuated joint nor the platform, as a rod that spins
 };
 

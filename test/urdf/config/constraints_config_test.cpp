@@ -153,7 +153,7 @@ TEST_P(PassiveLimits, AgreeWithTheClosedLoops) {
     for (double& entry : coefficients_of(step)) entry = entries(random);
     const auto angles = static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot.task_space()));
     step.tail(step.size() - angles) *= 0.7 * robot.size();
-    const Pose pose = displaced(robot.task_space(), start.pose, step);
+    const Pose pose = displaced(robot.motions(), start.pose, step);
     for (const InverseSolution& solution : inverse_in_all_modes(robot, pose)) {
       if (solution.status != InverseStatus::solved || !mechanism->complete(pose, solution.q, positions))
         continue;
