@@ -140,10 +140,11 @@ class Survey {
          const WorkspaceOptions& options)
       : map_(map),
         ids_(ids),
-        question_(question),
+        unit_(has_hinges(map.manipulator()->task_space()) ? EIGEN_PI : 1.0),
+        question_(in_map_coordinates(question, unit_)),
         options_(options),
         free_(free_positions(*map.manipulator(), map.slice())),
-        gauge_(made_under_upward_rounding<ShapeGauge>(question, free_)),
+        gauge_(made_under_upward_rounding<ShapeGauge>(question_, free_)),
         found_(ids.size()) {}
 
   std::optional<std::vector<RegularWorkspace>> run() {
@@ -157,10 +158,27 @@ class Survey {
     });
     if (is_cancelled(options_.control)) return std::nullopt;
     if (options_.control.progress) options_.control.progress(1.0);
+    if (unit_ != 1.0)
+      for (RegularWorkspace& each : found_) take_unit(each);
     return found_;
   }
 
  private:
+  static WorkspaceQuestion in_map_coordinates(WorkspaceQuestion question, double unit) {
+    for (auto& each : question.center)
+      if (each) *each /= unit;
+    return question;
+  }
+
+  /// Half turns become angles. The center and pi are rounded, by far less than what the shape loses for it
+  /// even along an edge that is a thousandth of the first.
+  void take_unit(RegularWorkspace& found) const {
+    constexpr double lost = 1e-11;  // [rad]
+    for (double& each : found.center) each *= unit_;
+    found.lower = std::max(0.0, unit_ * found.lower - lost);
+    found.upper = unit_ * found.upper + lost;
+  }
+
   const Aspect& aspect(std::size_t place) const {
     return map_.aspects()[static_cast<std::size_t>(ids_[place] - 1)];
   }
@@ -212,7 +230,8 @@ class Survey {
 
   const AspectMap& map_;
   const std::vector<int>& ids_;
-  const WorkspaceQuestion& question_;
+  double unit_;  ///< of a map coordinate that counts as a position
+  const WorkspaceQuestion question_;
   const WorkspaceOptions& options_;
   std::size_t free_;
   ShapeGauge gauge_;
@@ -225,7 +244,9 @@ class Survey {
 }  // namespace
 
 std::size_t free_positions(const Manipulator& manipulator, const std::optional<MapSlice>& slice) noexcept {
-  return slice ? slice->free_positions() : directions(manipulator.task_space());
+  if (slice) return slice->free_positions();
+  return has_hinges(manipulator.task_space()) ? manipulator.leg_count()
+                                              : directions(manipulator.task_space());
 }
 
 Problems problems_of(const Manipulator& manipulator, const std::optional<MapSlice>& slice,

@@ -93,10 +93,15 @@ std::string center_text(const ask::ShapeInAspect& shape) {
   return text.empty() ? "-" : text + ")";
 }
 
+std::string unit_of(const ask::LargestShapeAnswer& answer) {
+  return has_hinges(answer.task_space) ? "rad" : "m";
+}
+
 std::string shapes_table(const ask::LargestShapeAnswer& answer) {
   const std::string size = lengths_of(*answer.map, answer.question, 1.0).front().first;
+  const std::string unit = " [" + unit_of(answer) + "]";
   TextTable table(
-      {">aspect", "working mode", "det A", ">" + size + " [m]", ">at most", "center [m]", "gap closed"});
+      {">aspect", "working mode", "det A", ">" + size + unit, ">at most", "center" + unit, "gap closed"});
   for (const ask::ShapeInAspect& each : answer.workspaces)
     table.add({std::to_string(each.found.aspect), to_string(each.mode), shown_sign(each.determinant_sign),
                shown_bound(each.found.lower, Side::below), shown_bound(each.found.upper, Side::above),
@@ -110,7 +115,7 @@ std::string best_shape_text(const ask::LargestShapeAnswer& answer) {
   if (best == nullptr) return "No " + shape + " is proved to lie in an aspect.\n";
   std::vector<std::string> lengths;
   for (const auto& [what, length] : best->lengths)
-    lengths.push_back(what + " " + shown_bound(length, Side::below) + " m");
+    lengths.push_back(what + " " + shown_bound(length, Side::below) + " " + unit_of(answer));
   return "The largest " + shape + " lies in aspect " + std::to_string(best->found.aspect) + ": " +
          joined(lengths, ", ") + ", center " + center_text(*best) +
          ".\nProved: each shape lies in its aspect, and none in it is larger than `at most`.\n";
