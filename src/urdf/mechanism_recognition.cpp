@@ -153,13 +153,29 @@ class Recogniser {
                                             const Eigen::VectorXd& values, const PlatformMotion& motion,
                                             Problems& problems) const {
     std::vector<RecognisedLeg> recognised;
+    std::vector<std::pair<std::string, std::vector<std::string>>> refused;  // legs by their reason
     for (const LegChains& leg : legs) {
       const std::size_t variable = resolved_.actuated_joints.variables[leg.actuation];
       const LegSetting setting{&motion, system.size(), values[static_cast<Eigen::Index>(variable)],
                                tree_->joint_of(variable).limits, "leg_" + std::to_string(leg.actuation + 1)};
-      if (auto found = recognise_leg(leg, variable, setting, files_.urdf, problems))
+      std::string reason;
+      if (auto found = recognise_leg(leg, variable, setting, reason)) {
         recognised.push_back(*found);
+        continue;
+      }
+      const auto known = std::find_if(refused.begin(), refused.end(),
+                                      [&](const auto& other) { return other.first == reason; });
+      auto& same = known == refused.end() ? refused.emplace_back(reason, std::vector<std::string>()) : *known;
+      same.second.push_back(names_of(leg.chains.front()));
     }
+    for (const auto& [reason, names] : refused)
+      problems.push_back(files_.urdf + " has " +
+                         (names.size() == 1 ? "a leg through " + names.front() + " that "
+                                            : std::to_string(names.size()) + " legs, as that through " +
+                                                  names.front() + ", each of which ") +
+                         reason +
+                         (names.size() == 1 ? "; it is not a distance leg" : "; they are no distance legs") +
+                         " and cannot be treated.");
     return recognised;
   }
 

@@ -371,13 +371,11 @@ bool is_planar_leg(const LegChains& leg, std::size_t actuated_variable, const Pl
 }  // namespace
 
 std::optional<RecognisedLeg> recognise_leg(const LegChains& leg, std::size_t actuated_variable,
-                                           const LegSetting& given, const std::string& file,
-                                           Problems& problems) {
+                                           const LegSetting& given, std::string& reason) {
   LegSetting setting = given;
   setting.planar = is_planar_leg(leg, actuated_variable, *setting.motion);
-  const auto refuse = [&](const std::string& reason) {
-    problems.push_back(file + " has a leg through " + names_of(leg.chains.front()) + " that " + reason +
-                       "; it is not a distance leg and cannot be treated.");
+  const auto refuse = [&](const std::string& found) {
+    reason = found;
     return std::nullopt;
   };
   RecognisedLeg result;

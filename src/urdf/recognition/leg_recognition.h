@@ -48,11 +48,10 @@ struct LegSetting {
   bool planar = false;       ///< whether the leg stays in the x-y plane; `recognise_leg` finds it
 };
 
-/// The leg as one distance equation. Nothing, and a message in `problems` that starts with `file`, when it
-/// is not a distance leg.
+/// The leg as one distance equation. Nothing, and the reason as "keeps no point ...", where it is not a
+/// distance leg.
 std::optional<RecognisedLeg> recognise_leg(const LegChains& leg, std::size_t actuated_variable,
-                                           const LegSetting& setting, const std::string& file,
-                                           Problems& problems);
+                                           const LegSetting& setting, std::string& reason);
 
 }  // namespace parallel_aspects
 

@@ -174,9 +174,10 @@ INSTANTIATE_TEST_SUITE_P(
                      "the origin of joint 'chi_2', which makes it a robot in T3"},
         RefusedStyle{"one_rod_in_mm.urdf",
                      "write xyz=\"0.2 0 0\" in the origin of joint 'joint_23', which makes it a robot in T2"},
-        RefusedStyle{"tripod_3rps.urdf",
-                     "has a leg through 'pivot_1', 'ram_joint_1', 'ball_x', 'ball_y', 'ball_z' that has "
-                     "passive joints on one side of its actuated joint whose axes do not meet in a point"},
+        RefusedStyle{
+            "tripod_3rps.urdf",
+            "has 3 legs, as that through 'pivot_1', 'ram_joint_1', 'ball_x', 'ball_y', 'ball_z', each of "
+            "which has passive joints on one side of its actuated joint whose axes do not meet in a point"},
         RefusedStyle{"tripteron.urdf",
                      "keeps no point of the platform at a fixed distance from a point of its actuated link"},
         RefusedStyle{
