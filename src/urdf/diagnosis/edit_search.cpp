@@ -15,7 +15,7 @@ constexpr int starts = 8;  // from which loops are to close: few, as most of wha
 constexpr std::size_t max_closed = 3;  // configurations whose mobility is looked at: one may be singular
 constexpr std::size_t max_named = 8;   // edits that a message lists: a longer list is not read
 // What bounds a refusal: sorting an edit out takes up to a millisecond, recognising a hexapod some thirty.
-constexpr std::size_t max_tried = 3000, max_attempts = 36;
+constexpr std::size_t max_tried = 1500, max_attempts = 36;
 
 bool is_open(const Closure& closure) { return closure.type == ClosureType::automatic; }
 

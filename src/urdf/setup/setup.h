@@ -5,6 +5,7 @@
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/urdf/mechanism.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <functional>
@@ -52,13 +53,19 @@ struct SetupQuestion {
 /// When to give up, and what for. All are looked at before each attempt to assemble the mechanism. Work is
 /// counted and not timed, so that no answer depends on the machine or on what else it does.
 struct SetupControl {
-  std::size_t work = 0;  ///< attempts, each times the square of the number of joints in the loops
+  std::size_t work = 0;  ///< attempts, each times the square of the number of joints in the loops, as counted
   std::function<bool()> cancelled = [] { return false; };
   /// By the clock on the wall, for those who wait while other programs have the processor.
   std::chrono::steady_clock::time_point latest = std::chrono::steady_clock::time_point::max();
   std::shared_ptr<std::size_t> done = std::make_shared<std::size_t>(0);  ///< of the work, by all copies
 
-  void count_attempt(std::size_t joints) const { *done += joints * joints; }
+  /// What an attempt takes whatever the joints are, as closing loops that do not close, in as many joints.
+  static constexpr std::size_t least_joints = 16;
+
+  void count_attempt(std::size_t joints) const {
+    const std::size_t counted = std::max(joints, least_joints);
+    *done += counted * counted;
+  }
   bool is_over() const { return cancelled() || *done >= work || std::chrono::steady_clock::now() > latest; }
 };
 
