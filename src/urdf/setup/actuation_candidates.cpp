@@ -2,6 +2,7 @@
 #include "urdf/setup/actuation_candidates.h"
 
 #include "urdf/closing/actuation_choices.h"
+#include "urdf/description/messages.h"
 #include "urdf/description/name_words.h"
 #include "urdf/description/xml_values.h"
 
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -268,12 +270,20 @@ std::string reason_to_leave_out(const TakenActuation& taken, std::size_t variabl
 
 std::optional<std::string> note_on_stated(const TakenActuation& taken, const std::string& urdf_name) {
   const std::vector<bool>& stated = taken.evidence.stated;
+  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;  // with the joints, in their order
+  for (std::size_t joint = 0; joint < stated.size(); ++joint) {
+    if (!stated[joint] || has(taken.variables, joint)) continue;
+    const std::string reason = reason_to_leave_out(taken, joint);
+    const auto known = std::find_if(reasons.begin(), reasons.end(),
+                                    [&](const auto& other) { return other.first == reason; });
+    auto& same = known == reasons.end() ? reasons.emplace_back(reason, std::vector<std::string>()) : *known;
+    same.second.push_back(taken.tree.joint_of(joint).name);
+  }
+  if (reasons.empty()) return std::nullopt;
   std::string left_out, instead;
-  for (std::size_t joint = 0; joint < stated.size(); ++joint)
-    if (stated[joint] && !has(taken.variables, joint))
-      left_out += (left_out.empty() ? "" : ", and of ") + quoted(taken.tree, joint) + ", " +
-                  reason_to_leave_out(taken, joint);
-  if (left_out.empty()) return std::nullopt;
+  for (const auto& [reason, joints] : reasons)
+    left_out += (left_out.empty() ? "" : ", and of ") + listed_names(joints).text() +
+                (joints.size() == 1 || reason.rfind("whose", 0) == 0 ? ", " : ", each of ") + reason;
   for (const std::size_t joint : taken.variables)
     if (!stated[joint]) instead += (instead.empty() ? "" : ", ") + quoted(taken.tree, joint);
   return urdf_name + " has a " + taken.evidence.stated_in + " of joints that are not taken as actuated: of " +

@@ -3,6 +3,7 @@
 
 #include "model/linear_algebra.h"
 #include "urdf/closing/assembly.h"
+#include "urdf/closing/planar_layers.h"
 #include "urdf/description/messages.h"
 #include "urdf/description/xml_values.h"
 
@@ -94,7 +95,9 @@ const TreeJoint* hinge_of_platform(const Tree& tree, const Bodies& bodies, const
 std::vector<std::array<std::string, 2>> like_hinges(const Tree& tree, const Bodies& bodies,
                                                     const Pairing& pairing) {
   const TreeJoint* hinge = hinge_of_platform(tree, bodies, pairing);
-  if (hinge == nullptr) return {};
+  const Poses poses = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
+  // In the plane balls do as well, which need no axes.
+  if (hinge == nullptr || common_normal(tree, poses, tree.movable)) return {};
   const LikeHinges like(tree, bodies, *hinge);
   std::vector<std::array<std::string, 2>> pairs;
   bool any_turned = false;
