@@ -4,6 +4,7 @@
 #include "model/message_text.h"
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/ends_of_loops.h"
+#include "urdf/closing/freedom.h"
 #include "urdf/closing/planar_layers.h"
 #include "urdf/closing/resolved_config.h"
 #include "urdf/config/mechanism_config.h"
@@ -15,7 +16,6 @@
 #include "urdf/diagnosis/misplaced_ends.h"
 #include "urdf/end_notes.h"
 #include "urdf/home_configuration.h"
-#include "urdf/idle_chains.h"
 #include "urdf/mechanism_contents.h"
 #include "urdf/mechanism_recognition.h"
 #include "urdf/open_choices.h"
@@ -119,14 +119,6 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     }
     return contents;
   }
-  ResolvedConfig fewer = resolved;
-  if (const auto note = leave_out_idle_chains(tree, files, fewer)) {
-    Problems unused;
-    if (auto contents = recognise_in(tree, fewer, unused)) {
-      contents->notes.push_back(*note);
-      return contents;
-    }
-  }
   if (!search.looks_for_remedies) throw InvalidDescription(problems);
   if (const auto diagnosis = diagnosis_of(tree, resolved, files, attempt)) refuse(*diagnosis);
   if (!meant && !are_all_welds(resolved.closures) && with_ends_together(*tree, resolved))
@@ -136,6 +128,33 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
         ", and they are held so; correct the origins of the joints in their loops, if they are to meet" +
         starts_of_links_text(*tree, resolved) + "."};
   throw InvalidDescription(problems);
+}
+
+// Where there are more actuated joints than a robot has: those that move nothing of the platform, as of a
+// fourth axis through a telescopic shaft. Their chain follows the platform as a passive one.
+std::optional<Note> leave_out_idle_joints(const std::shared_ptr<const Tree>& tree, const SourceNames& files,
+                                          ResolvedConfig& resolved) {
+  std::vector<std::size_t>& joints = resolved.actuated_joints.variables;
+  if (is_actuation_count(joints.size()) || resolved.closures.empty()) return std::nullopt;
+  const std::size_t platform = resolved.actuated_joints.platform_link;
+  std::vector<Closure> closures = resolved.closures;
+  for (Closure& closure : closures)  // as they hold most
+    if (closure.type == ClosureType::automatic)
+      closure.type = closure.weld == Weld::none ? ClosureType::point : ClosureType::fixed;
+  const ClosureSystem system(tree, resolved.base, std::move(closures));
+  const auto assembly = assemble(system, joints, platform).assembly;
+  if (!assembly) return std::nullopt;
+  std::vector<std::size_t> others = joints;
+  std::vector<std::string> names;
+  for (const std::size_t idle : idle_joints(system, *assembly, platform, joints)) {
+    others.erase(std::find(others.begin(), others.end(), idle));
+    names.push_back(tree->joint_of(idle).name);
+  }
+  if (!is_actuation_count(others.size())) return std::nullopt;
+  joints = std::move(others);
+  return files.urdf +
+         " has joints that move nothing of the platform, so that they are not taken as actuated: " +
+         listed_names(names) + ".";
 }
 
 // Both texts have been read once, so that they are known to parse, or the problem is known.
@@ -175,8 +194,7 @@ std::unique_ptr<Mechanism::Contents> recognise_named(NamedDescription descriptio
   for (const std::string& note :
        join_layers(*tree, resolved.actuated_joints.platform_link, files, resolved.closures))
     notes.push_back(note);
-  if (!is_actuation_count(resolved.actuated_joints.variables.size()) && !resolved.closures.empty())
-    if (auto note = leave_out_idle_chains(tree, files, resolved)) notes.push_back(std::move(*note));
+  if (auto note = leave_out_idle_joints(tree, files, resolved)) notes.push_back(std::move(*note));
   auto contents = recognise(tree, description.config, resolved, files, search);
   const ClosureSystem loops = loops_of(tree, resolved);
   for (const std::string& note : shared_frame_notes(*tree, resolved, loops.size())) notes.push_back(note);

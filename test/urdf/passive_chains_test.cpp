@@ -401,13 +401,13 @@ TEST(PassiveChain, SaysWhichLimitsOfItsSlidesBoundNothing) {
   EXPECT_EQ(says(notes("{link: platform, xyz: [1, 0, 0]}"), unused), 1);
 }
 
-// A telescopic shaft to a tool that a fourth motor turns on the platform of a Delta. Where three actuated
-// joints are listed, it is a passive chain, which follows the platform.
+// A telescopic shaft to a tool that a fourth motor turns on the platform of a Delta: a passive chain, which
+// follows the platform.
 TEST(IdleChain, IsLeftOutWhateverItDrives) {
   const std::string urdf = test::source_file("test/data/chains/delta_with_shaft.urdf");
   const std::string note =
-      "robot.urdf has a chain between base and platform that takes nothing from the platform, even with its "
-      "actuated joints locked; it is left out: 'motor_4', 'shaft_top_r_joint',";
+      "robot.urdf has joints that move nothing of the platform, so that they are not taken as actuated: "
+      "'motor_4'.";
   const std::string stated = "mechanism:\n  operational_point: platform\n",
                     listed = stated + "  actuated_joints: [motor_1, motor_2, motor_3]\n";
   const std::string without = listed +

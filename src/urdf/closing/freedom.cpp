@@ -30,6 +30,34 @@ PlatformFreedom platform_freedom(const ClosureSystem& system, const Assembly& as
   return freedom;
 }
 
+Eigen::MatrixXd axes_between(const ClosureSystem& system, const Poses& poses, const Eigen::MatrixXd& motions,
+                             const std::array<LinkFrame, 2>& frames) {
+  if (motions.cols() == 0) return Eigen::MatrixXd(3, 0);
+  const auto turning = [&](std::size_t link) {
+    return link_twists(system, poses, link, motions).topRows<3>().eval();
+  };
+  const auto svd = singular_value_decomposition(turning(frames[1].link) - turning(frames[0].link));
+  return svd.u.leftCols(svd.rank_above(velocity_tolerance));
+}
+
+std::vector<std::size_t> idle_joints(const ClosureSystem& system, const Assembly& assembly, std::size_t link,
+                                     const std::vector<std::size_t>& joints) {
+  if (assembly.motions.cols() == 0) return {};
+  const Poses poses = link_poses(system.tree(), system.base(), assembly.values);
+  const Eigen::MatrixXd twists = link_twists(system, poses, link, assembly.motions);
+  const Eigen::MatrixXd rates = actuated_rates(system, assembly.motions, joints);
+  std::vector<std::size_t> idle;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    Eigen::MatrixXd others = rates;
+    others.row(static_cast<Eigen::Index>(j)).setZero();
+    const auto svd = singular_value_decomposition(others);
+    const Eigen::MatrixXd alone = svd.null_space(svd.rank_above(velocity_tolerance));
+    const bool moves = (rates.row(static_cast<Eigen::Index>(j)) * alone).norm() > velocity_tolerance;
+    if (moves && (twists * alone).norm() < velocity_tolerance) idle.push_back(joints[j]);
+  }
+  return idle;
+}
+
 std::size_t freedom_of(const ClosureSystem& system, const std::vector<Eigen::VectorXd>& closed,
                        std::size_t link) {
   std::size_t most = 0;

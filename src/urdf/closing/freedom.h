@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -31,6 +32,15 @@ struct PlatformFreedom {
 /// space wants the former, another the latter.
 PlatformFreedom platform_freedom(const ClosureSystem& system, const Assembly& assembly, std::size_t link,
                                  std::size_t actuated_joints);
+
+/// About which two links turn against each other in the motions of an assembly: orthonormal columns, in the
+/// base frame. `poses`: where the links are.
+Eigen::MatrixXd axes_between(const ClosureSystem& system, const Poses& poses, const Eigen::MatrixXd& motions,
+                             const std::array<LinkFrame, 2>& frames);
+
+/// Those of these joints that can move while the others are locked, and leave the link where it is.
+std::vector<std::size_t> idle_joints(const ClosureSystem& system, const Assembly& assembly, std::size_t link,
+                                     const std::vector<std::size_t>& joints);
 
 /// In how many ways these configurations, which close the loops, let a link move at most: 0 where there are
 /// none.

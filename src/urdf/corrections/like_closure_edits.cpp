@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/linear_algebra.h"
+#include "urdf/closing/freedom.h"
 #include "urdf/corrections/closures_entry.h"
 #include "urdf/corrections/edits.h"
 #include "urdf/description/name_words.h"
@@ -60,15 +61,11 @@ Vector3d upright(Vector3d axis) {
 // Along one line, either way; nothing where they turn about none, or several.
 std::optional<std::array<Vector3d, 2>> axis_of(const ClosureSystem& system, const Assembly& assembly,
                                                const std::array<LinkFrame, 2>& frames) {
-  if (assembly.motions.cols() == 0) return std::nullopt;
   const Poses poses = link_poses(system.tree(), system.base(), assembly.values);
-  const auto turning = [&](std::size_t link) {
-    return link_twists(system, poses, link, assembly.motions).topRows<3>().eval();
-  };
-  const auto svd = singular_value_decomposition(turning(frames[1].link) - turning(frames[0].link));
-  if (svd.rank_above(velocity_tolerance) != 1) return std::nullopt;
+  const Eigen::MatrixXd axes = axes_between(system, poses, assembly.motions, frames);
+  if (axes.cols() != 1) return std::nullopt;
   const auto seen_from = [&](std::size_t link) -> Vector3d {
-    return poses[link].linear().transpose() * svd.u.col(0);
+    return poses[link].linear().transpose() * axes.col(0);
   };
   return std::array<Vector3d, 2>{upright(seen_from(frames[0].link)), upright(seen_from(frames[1].link))};
 }

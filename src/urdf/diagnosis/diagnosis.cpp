@@ -111,9 +111,7 @@ class Search {
     if (const auto linkage =
             linkage_of_one_degree_of_freedom(s_.shared_tree, s_.resolved, assembled(), s_.files))
       return Diagnosis{{*linkage}};
-    if (const auto held = closures_that_hold_too_much(s_.shared_tree, s_.resolved, assembled(), s_.files))
-      return Diagnosis{{*held}};
-    return std::nullopt;
+    return has_zero_length() ? std::nullopt : of_ranks();
   }
 
   // Of frames alone, and with the actuated joints where nothing else is known.
@@ -130,6 +128,15 @@ class Search {
     Cost cost;
     std::function<Kinds()> edits;
   };
+
+  std::optional<Diagnosis> of_ranks() {
+    if (const auto idle =
+            actuated_joints_that_move_nothing(s_.system, assembled(), s_.resolved.actuated_joints, s_.files))
+      return Diagnosis{{*idle}};
+    if (const auto held = closures_that_hold_too_much(s_.shared_tree, s_.resolved, assembled(), s_.files))
+      return Diagnosis{{*held}};
+    return std::nullopt;
+  }
 
   std::optional<Diagnosis> of(const Source& source) {
     for (const Edits& kind : source.edits())

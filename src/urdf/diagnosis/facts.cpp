@@ -137,33 +137,38 @@ std::optional<std::string> linkage_of_one_degree_of_freedom(const std::shared_pt
   return OneFreedom(tree, resolved, assembled, files).find();
 }
 
-namespace {
-
-// About which the links of a closure turn against each other, in the frame of the second one.
-std::vector<Eigen::Vector3d> axes_between(const ClosureSystem& system, const Assembly& assembly,
-                                          const std::array<LinkFrame, 2>& frames) {
-  const Poses poses = link_poses(system.tree(), system.base(), assembly.values);
-  const auto turning = [&](std::size_t link) {
-    return link_twists(system, poses, link, assembly.motions).topRows<3>().eval();
-  };
-  const auto svd = singular_value_decomposition(turning(frames[1].link) - turning(frames[0].link));
-  std::vector<Eigen::Vector3d> axes;
-  for (Eigen::Index k = 0; k < svd.rank_above(velocity_tolerance); ++k) {
-    const Eigen::Vector3d axis = poses[frames[1].link].linear().transpose() * svd.u.col(k);
-    axes.emplace_back((axis / printed_axis).array().round().matrix() * printed_axis);
-  }
-  return axes;
+std::optional<std::string> actuated_joints_that_move_nothing(const ClosureSystem& system,
+                                                             const AssemblyResult& assembled,
+                                                             const ActuatedJoints& actuated_joints,
+                                                             const SourceNames& files) {
+  if (!assembled.assembly) return std::nullopt;
+  std::vector<std::string> names;
+  for (const std::size_t joint :
+       idle_joints(system, *assembled.assembly, actuated_joints.platform_link, actuated_joints.variables))
+    names.push_back(system.tree().joint_of(joint).name);
+  if (names.empty()) return std::nullopt;
+  return files.config + " actuates joints that move nothing of " +
+         operational_point_text(system.tree(), actuated_joints.platform_link, files) + ": " +
+         listed_names(names).text() + "; take them out of " + files.key("actuated_joints") +
+         ", and list one of each leg.";
 }
+
+namespace {
 
 // "'a' about (0, 0, 1) of 'rod_2', of 'b' about ..."
 std::string turning_text(const ClosureSystem& balls, const Assembly& free,
                          const std::vector<Closure>& closures) {
+  const Poses poses = link_poses(balls.tree(), balls.base(), free.values);
   std::string text;
   for (const Closure& closure : closures) {
     if (closure.type == ClosureType::point || closure.type == ClosureType::automatic) continue;
     std::string axes;
-    for (const Eigen::Vector3d& axis : axes_between(balls, free, closure.frames))
-      axes += (axes.empty() ? "" : " and ") + in_brackets(axis);
+    const Eigen::MatrixXd found = axes_between(balls, poses, free.motions, closure.frames);
+    for (Eigen::Index k = 0; k < found.cols(); ++k) {
+      const Eigen::Vector3d axis = poses[closure.frames[1].link].linear().transpose() * found.col(k);
+      axes += (axes.empty() ? "" : " and ") +
+              in_brackets((axis / printed_axis).array().round().matrix() * printed_axis);
+    }
     if (!axes.empty())
       text += (text.empty() ? "'" : ", of '") + closure.name + "' about " + axes + " of '" +
               balls.tree().links[closure.frames[1].link] + "'";

@@ -32,6 +32,12 @@ std::optional<std::string> chain_that_holds_too_much(const ClosureSystem& system
                                                      const ActuatedJoints& actuated_joints,
                                                      const SourceNames& files);
 
+/// That actuated joints can move while the others are locked, and leave the platform where it is.
+std::optional<std::string> actuated_joints_that_move_nothing(const ClosureSystem& system,
+                                                             const AssemblyResult& assembled,
+                                                             const ActuatedJoints& actuated_joints,
+                                                             const SourceNames& files);
+
 /// That closures leave fewer degrees of freedom than there are actuated joints, by the axes about which their
 /// links turn with balls in their place. `assembled`: with its closures as stated.
 std::optional<std::string> closures_that_hold_too_much(const std::shared_ptr<const Tree>& tree,

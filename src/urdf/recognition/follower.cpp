@@ -20,7 +20,8 @@ Eigen::Isometry3d about(const Eigen::Vector3d& center, const Eigen::Matrix3d& tu
 }
 
 Eigen::Isometry3d motion_of(const Pivot& pivot, double step) {
-  if (pivot.kind == PivotKind::revolute) return about(pivot.point, Eigen::AngleAxisd(step, directed_axis(pivot)).toRotationMatrix());
+  if (pivot.kind == PivotKind::revolute)
+    return about(pivot.point, Eigen::AngleAxisd(step, directed_axis(pivot)).toRotationMatrix());
   return Eigen::Isometry3d(Eigen::Translation3d(step * directed_axis(pivot)));
 }
 

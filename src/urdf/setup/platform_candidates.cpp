@@ -30,7 +30,7 @@ bool stands_out(const Tree& tree, const GraphPart& part, const std::vector<Graph
 
 // Of the parts between base and platform, those that may be the legs: all; and all but one chain, which is
 // passive where the others move the platform: that which it hangs on in the tree, or one that is unlike the
-// others, which are alike.
+// others, which are alike; or both.
 std::vector<std::vector<GraphPart>> leg_choices(const Tree& tree, const std::vector<GraphPart>& parts) {
   std::vector<std::vector<GraphPart>> choices;
   if (is_actuation_count(parts.size())) choices.push_back(parts);
@@ -38,8 +38,11 @@ std::vector<std::vector<GraphPart>> leg_choices(const Tree& tree, const std::vec
     for (std::size_t k = 0; k < parts.size(); ++k) {
       std::vector<GraphPart> others = parts;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-      const bool fits = parts[k].closed == closed && is_actuation_count(others.size());
-      if (fits && (!closed || stands_out(tree, parts[k], others))) choices.push_back(std::move(others));
+      if (parts[k].closed != closed || (closed && !stands_out(tree, parts[k], others))) continue;
+      if (is_actuation_count(others.size()))
+        choices.push_back(std::move(others));
+      else if (!closed)
+        for (auto& fewer : leg_choices(tree, others)) choices.push_back(std::move(fewer));
     }
   return choices;
 }
@@ -71,8 +74,8 @@ std::vector<GraphPart> parts_between(const ClosureSystem& loops, const Bodies& b
   return parts;
 }
 
-// Legs of a fully parallel robot, and one passive chain besides.
-constexpr std::size_t min_parts = 2, max_parts = 7;
+// Legs of a fully parallel robot, and two passive chains besides.
+constexpr std::size_t min_parts = 2, max_parts = 8;
 
 // As those that a reader puts between the axes of a joint.
 bool is_named_frame(const std::string& name) {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/setup.h"
 
-#include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/ends_of_loops.h"
 #include "urdf/description/nearest_name.h"
-#include "urdf/idle_chains.h"
 #include "urdf/load_mechanism.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/setup/closed_search.h"
@@ -207,23 +205,6 @@ class Setup {
            "'; only parallel robots are treated, and the loops that it carries make none.";
   }
 
-  // Where more joints are stated to be actuated than a robot has; the loader says what it leaves out.
-  std::vector<Closure> without_idle_chains(const std::vector<Closure>& closures) const {
-    const std::vector<std::size_t> stated = stated_actuation(evidence_).variables;
-    const BodyGraph graph(tree_, bodies_, closures);
-    const auto base = graph.base();
-    if (stated.empty() || is_actuation_count(stated.size()) || !base) return closures;
-    const std::shared_ptr<const Tree> borrowed(std::shared_ptr<const Tree>(), &tree_);
-    for (const std::size_t body : graph.moving_bodies(*base)) {
-      ResolvedConfig resolved;
-      resolved.base = bodies_.links(*base).front();
-      resolved.actuated_joints = {bodies_.links(body).front(), stated};
-      resolved.closures = closures;
-      if (leave_out_idle_chains(borrowed, source_.files, resolved)) return resolved.closures;
-    }
-    return closures;
-  }
-
   // By half of the work, so that the other half is for why they make no robot.
   ClosedResult search_by_half(SetupClosures closures, const SetupCandidate& described) const {
     SetupSubject subject = subject_;
@@ -232,7 +213,7 @@ class Setup {
   }
 
   void described_closures(const FoundLoops& loops) {
-    SetupClosures closures{without_idle_chains(loops.loops.closures), 0, std::string(loops.dialect)};
+    SetupClosures closures{loops.loops.closures, 0, std::string(loops.dialect)};
     closures.described = closures.all.size();
     take(search_by_half(std::move(closures),
                         {{}, "the URDF describes them by " + std::string(loops.dialect)}));

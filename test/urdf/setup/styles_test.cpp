@@ -142,7 +142,8 @@ TEST(Styles, FollowsThePlatformWithAShaftThatTakesNothing) {
   EXPECT_EQ(mechanism->manipulator()->leg_count(), 3U);
   const Strings notes = mechanism->notes();
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
-    return note.find("these move nothing else and are not taken as actuated: 'motor4_joint'.") !=
+    return note.find(
+               "move nothing of the platform, so that they are not taken as actuated: 'motor4_joint'.") !=
            std::string::npos;
   })) << four;
 }
