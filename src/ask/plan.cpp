@@ -14,9 +14,11 @@
 
 namespace parallel_aspects::ask {
 
-std::string between_points(const std::optional<MapSlice>& slice) {
-  return slice && slice->joint ? "the direction of the held anchor from the base, and phi, run straight"
-                               : "positions run straight; quaternions straight and normalised, the short way";
+std::string between_points(const PlanAnswer& answer) {
+  if (answer.turns_hinges) return "angles run evenly, the short way";
+  return answer.slice && answer.slice->joint
+             ? "the direction of the held anchor from the base, and phi, run straight"
+             : "positions run straight; quaternions straight and normalised, the short way";
 }
 
 namespace {
@@ -131,6 +133,7 @@ class Planning {
   // Before anything starts.
   void check() {
     answer_.between = between_poses(robot().motions());
+    answer_.turns_hinges = robot().task_space() == TaskSpace::R2;
     answer_.policy = question_.policy;
     answer_.prefer = question_.prefer;
     answer_.around_cusp = question_.around_cusp;

@@ -11,8 +11,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// Boxes of two angles take a fraction of what those of other task spaces do.
+constexpr int boxes_for_one = 4;
+
 // Steps of Newton's method towards a pose of the boundary, and how many times a search starts it.
-constexpr int newton_steps = 12, most_attempts = 60;
+constexpr int newton_steps = 12, most_attempts = 100;
 
 // Of differences that stand for derivatives, in half turns.
 constexpr double small_step = 1e-7;
@@ -50,8 +53,10 @@ HingeSearch::HingeSearch(const Manipulator& manipulator, const DistanceOptions& 
       hinges_(made_under_upward_rounding<EnclosedHinges>(robot_->motions().hinges)),
       limits_(limits_of(*robot_)),
       dimension_(robot_->leg_count()) {
-  queue_.reserve(2 * static_cast<std::size_t>(options.max_boxes) + 2);
+  queue_.reserve(static_cast<std::size_t>(most_boxes()) + 2);
 }
+
+int HingeSearch::most_boxes() const noexcept { return boxes_for_one * options_.max_boxes; }
 
 HingeSearch::Angles HingeSearch::angles_of(const Pose& pose) const noexcept {
   const PoseCoordinates angles = pose_coordinates(robot_->task_space(), pose);
@@ -182,7 +187,7 @@ BoundaryDistance HingeSearch::search(Kind kind) noexcept {
   for_each_target(kind, [&](const Target&) { any = true; });
   Box all{dimension_, {-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}};
   if (any) queue_.push_back({0.0, all});
-  while (!queue_.empty() && queue_.front().bound < least_way(found) && found.boxes < options_.max_boxes) {
+  while (!queue_.empty() && queue_.front().bound < least_way(found) && found.boxes < most_boxes()) {
     std::pop_heap(queue_.begin(), queue_.end());
     const Box box = queue_.back().box;
     queue_.pop_back();
@@ -250,7 +255,8 @@ std::optional<HingeSearch::Angles> HingeSearch::slope(const Target& target, cons
 
 void HingeSearch::look_for_witness(const Target& target, const Angles& start,
                                    BoundaryDistance& found) noexcept {
-  if (++attempts_ > most_attempts) return;
+  if (attempts_ >= most_attempts || !value(target, start)) return;
+  ++attempts_;
   Angles at = start, direction{};
   for (int i = 0; i < newton_steps; ++i) {
     const auto f = value(target, at);

@@ -46,6 +46,7 @@ class HingeSearch {
     friend bool operator<(const Part& a, const Part& b) noexcept { return a.bound > b.bound; }
   };
 
+  int most_boxes() const noexcept;
   Angles angles_of(const Pose& pose) const noexcept;
   Pose pose_at(const Angles& angles) const noexcept;
   HingePlacement<Interval> placed(const Box& box) const noexcept;

@@ -137,6 +137,7 @@ struct PlanAnswer {
   std::optional<double> moved_onto_slice;              ///< the farthest of the ends [m]
   std::shared_ptr<const AspectMap> map;                ///< null where no map was asked
   bool loaded = false;                                 ///< from the file
+  bool turns_hinges = false;                           ///< whether poses are angles of passive joints
   PoseBetween between{};                               ///< how the pose runs from a point to the next
   std::optional<Count<1, 10000>> around_cusp;          ///< as asked
   std::optional<std::vector<int>> turns_around_cusps;  ///< by cusp, counter-clockwise
@@ -147,7 +148,7 @@ struct PlanAnswer {
 };
 
 /// How the pose runs from a point of a path to the next; what is proved is proved of this curve alone.
-std::string between_points(const std::optional<MapSlice>& slice);
+std::string between_points(const PlanAnswer& answer);
 
 /// Its fields.
 template <class Visit>
@@ -164,7 +165,7 @@ void describe(Visit& visit, const PlanAnswer& answer) {
       {"between_points", "",
        "how the pose runs from a point to the next, which is the curve that is proved: `phi` alone does not "
        "run evenly. Through det A = 0 it runs straight in the coordinates of the map"},
-      between_points(answer.slice));
+      between_points(answer));
   visit({"path", "",
          "points with `pose`, `working_mode` and the values of the `actuated` joints [rad or m], angles "
          "without jumps"},

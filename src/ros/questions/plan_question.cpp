@@ -228,7 +228,7 @@ Status refused(const ask::ProblemList& problems) {
 void write_answer(const Manipulator& manipulator, const ask::PlanAnswer& answer, PlanPathResult& result) {
   write_path(manipulator, answer.path, result);
   result.reason = reason_of(manipulator, answer);
-  if (answer.path) result.between_points = ask::between_points(answer.slice);
+  if (answer.path) result.between_points = ask::between_points(answer);
   result.moved_onto_slice = answer.moved_onto_slice.value_or(0.0);
   result.encoder_noise = answer.encoder_noise.value_or(0.0);
   if (answer.turns_around_cusps)

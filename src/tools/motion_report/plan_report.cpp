@@ -177,8 +177,8 @@ std::string plan_text(const Manipulator& robot, const ask::PlanAnswer& answer) {
   return start + counted(path.points.size(), "point") + ", " + counted(path.crossings.size(), "crossing") +
          ", " + length_text(robot, path) + "\nsmallest of 32 poses a segment: parallel index " +
          shown(path.least_index) + ", |det A| " + shown(path.least_det_a) +
-         (unit.empty() ? unit : " " + unit) + "\nbetween points: " + ask::between_points(answer.slice) +
-         "\n\n" + points_text(robot, path);
+         (unit.empty() ? unit : " " + unit) + "\nbetween points: " + ask::between_points(answer) + "\n\n" +
+         points_text(robot, path);
 }
 
 std::string text_after(const Manipulator& robot, const ask::PlanAnswer& answer) {

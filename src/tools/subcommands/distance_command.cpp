@@ -71,7 +71,8 @@ std::string hint_of_map(const RobotChoice& robot, const Manipulator& manipulator
     const DistanceStatus status = answer.distances.parallel.status;
     return status == DistanceStatus::loose || status == DistanceStatus::no_witness;
   });
-  if (!is_loose || manipulator.task_space() == TaskSpace::SE3) return "";
+  if (!is_loose || manipulator.task_space() == TaskSpace::SE3 || has_hinges(manipulator.task_space()))
+    return "";
   const std::string words = !robot.name().empty()
                                 ? shell_word(robot.name())
                                 : shell_word(robot.urdf_file()) + " " + shell_word(robot.config_file()),

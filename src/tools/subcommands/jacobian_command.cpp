@@ -66,8 +66,11 @@ std::string table_text(const Manipulator& robot, const ask::JacobianAnswer& answ
 std::string heading(const Manipulator& robot, const ask::JacobianAnswer& answer) {
   const std::string text =
       robot.name() +
-      ": twist of the platform by rates of the actuated joints, wrench by their efforts; about "
-      "the operational point, along the axes of the task frame\n";
+      (has_hinges(robot.task_space())
+           ? ": rates of the passive joints that are the pose by those of the actuated joints, moments about "
+             "them by efforts of the actuated joints\n"
+           : ": twist of the platform by rates of the actuated joints, wrench by their efforts; about "
+             "the operational point, along the axes of the task frame\n");
   if (answer.direct_status.value_or(DirectStatus::solved) == DirectStatus::solved) return text;
   return text + "the direct problem is not solved (" + name(*answer.direct_status) +
          "): `aspects fk` says why\n";
