@@ -3,13 +3,13 @@
 
 #include "ask/question_parts.h"
 #include "aspects/map/empty_map.h"
+#include "draw/plane/palette.h"
 #include "model/message_text.h"
 #include "model/task_space_traits.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/singularity/indices.h"
 
-#include "draw/plane/palette.h"
 #include <algorithm>
 #include <utility>
 

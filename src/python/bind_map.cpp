@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "draw/scene/plane_scene.h"
 #include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 
-#include "draw/scene/plane_scene.h"
 #include "python/arrays.h"
 #include "python/asking.h"
 #include "python/bindings.h"

@@ -2,10 +2,10 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_OUTPUT_FILE_H
 #define PARALLEL_ASPECTS_TOOLS_OUTPUT_FILE_H
 
+#include "draw/page/page_elements.h"
 #include "parallel_aspects/model/problems.h"
 #include "tools/subcommands.h"
 
-#include "draw/page/page_elements.h"
 #include <string>
 
 namespace parallel_aspects::tools {

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_DRAW_PAGE_OUTLINES_H
 
 #include "draw/page/page_elements.h"
+
 #include <optional>
 #include <utility>
 #include <vector>

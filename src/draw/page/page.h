@@ -5,6 +5,7 @@
 #include "draw/page/page_elements.h"
 #include "draw/page/panel.h"
 #include "draw/scene/map_scene.h"
+
 #include <string>
 #include <vector>
 

@@ -2,9 +2,10 @@
 #ifndef PARALLEL_ASPECTS_DRAW_PAGE_PAGE_ELEMENTS_H
 #define PARALLEL_ASPECTS_DRAW_PAGE_PAGE_ELEMENTS_H
 
+#include "draw/plane/palette.h"
+
 #include <Eigen/Core>
 
-#include "draw/plane/palette.h"
 #include <cstddef>
 #include <optional>
 #include <string>

@@ -2,11 +2,12 @@
 #ifndef PARALLEL_ASPECTS_DRAW_PAGE_PANEL_H
 #define PARALLEL_ASPECTS_DRAW_PAGE_PANEL_H
 
-#include <Eigen/Geometry>
-
 #include "draw/page/outlines.h"
 #include "draw/page/page_elements.h"
 #include "draw/scene/plane_scene.h"
+
+#include <Eigen/Geometry>
+
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "draw/page/page_elements.h"
+
 #include <cairo.h>
 #include <memory>
 #include <stdexcept>

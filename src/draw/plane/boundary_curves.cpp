@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "draw/plane/boundary_functions.h"
+#include "draw/plane/map_pictures.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 
-#include "draw/plane/boundary_functions.h"
-#include "draw/plane/map_pictures.h"
 #include <algorithm>
 #include <cmath>
 #include <utility>

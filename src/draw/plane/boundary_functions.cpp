@@ -2,9 +2,9 @@
 #include "draw/plane/boundary_functions.h"
 
 #include "aspects/constraints/constraint_clearance.h"
+#include "draw/plane/palette.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 
-#include "draw/plane/palette.h"
 #include <algorithm>
 #include <cmath>
 

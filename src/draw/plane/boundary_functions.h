@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_DRAW_PLANE_BOUNDARY_FUNCTIONS_H
 #define PARALLEL_ASPECTS_DRAW_PLANE_BOUNDARY_FUNCTIONS_H
 
+#include "draw/plane/map_pictures.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/constraints.h"
@@ -10,7 +11,6 @@
 
 #include <Eigen/Core>
 
-#include "draw/plane/map_pictures.h"
 #include <cstddef>
 #include <optional>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "draw/plane/map_pictures.h"
 #include "model/angles.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 
-#include "draw/plane/map_pictures.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,18 +43,6 @@ std::vector<Polygon> parts_of(const Polygon& p) {
   return parts;
 }
 
-// What is left of a convex polygon on one side of a line parallel to an axis (Sutherland and Hodgman).
-Polygon clipped(const Polygon& polygon, int axis, double bound, double side) {
-  Polygon kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2d &here = polygon[i], &next = polygon[(i + 1) % polygon.size()];
-    const double a = side * (here[axis] - bound), b = side * (next[axis] - bound);
-    if (a <= 0.0) kept.push_back(here);
-    if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)) kept.push_back(here + a / (a - b) * (next - here));
-  }
-  return kept;
-}
-
 // Triangles of a convex polygon, turned counter-clockwise.
 void add_fan(const Polygon& polygon, TriangleCorners& corners) {
   for (std::size_t i = 2; i < polygon.size(); ++i) {
@@ -71,34 +59,6 @@ Polygon enlarged(Polygon polygon) {
   return polygon;
 }
 
-// Every copy of the polygon, a turn apart, that meets the window, cut at its edges.
-std::vector<Polygon> copies_of(const Polygon& polygon, const JointWindow& window) {
-  std::vector<Polygon> copies;
-  const int x_turns = window.turns[0] ? 1 : 0, y_turns = window.turns[1] ? 1 : 0;
-  for (int kx = -x_turns; kx <= x_turns; ++kx)
-    for (int ky = -y_turns; ky <= y_turns; ++ky) {
-      Polygon copy = polygon;
-      for (Vector2d& corner : copy) corner += full_turn * Vector2d(kx, ky);
-      for (const int axis : {0, 1}) {
-        copy = clipped(copy, axis, window.upper[axis], 1.0);
-        copy = clipped(copy, axis, window.lower[axis], -1.0);
-      }
-      if (copy.size() > 2) copies.push_back(std::move(copy));
-    }
-  return copies;
-}
-
-// Where the way from a point of the window to one beyond it leaves the window.
-Vector2d cut(const Vector2d& from, const Vector2d& beyond, const JointWindow& window) {
-  double share = 1.0;
-  for (const int i : {0, 1}) {
-    const double bound = beyond[i] > from[i] ? window.upper[i] : window.lower[i];
-    if (beyond[i] > window.upper[i] || beyond[i] < window.lower[i])
-      share = std::min(share, (bound - from[i]) / (beyond[i] - from[i]));
-  }
-  return from + share * (beyond - from);
-}
-
 std::optional<std::size_t> singular_leg(const BoundarySegment& segment) {
   return segment.kind == BoundaryKind::serial ? std::optional<std::size_t>(segment.leg) : std::nullopt;
 }
@@ -111,19 +71,6 @@ PoseSlice plane_of(const AspectMap& map) {
 }
 
 }  // namespace
-
-Vector2d JointWindow::wrapped(const Vector2d& q) const noexcept {
-  Vector2d inside = q;
-  for (const int i : {0, 1})
-    if (turns[static_cast<std::size_t>(i)]) inside[i] = std::remainder(q[i], full_turn);
-  return inside;
-}
-
-std::vector<std::array<Vector2d, 2>> JointWindow::pieces(const Vector2d& from, const Vector2d& to) const {
-  const Vector2d start = wrapped(from), beyond = start + (to - from), end = wrapped(beyond);
-  if (beyond.isApprox(end)) return {{start, end}};
-  return {{cut(end, end - (to - from), *this), end}, {start, cut(start, beyond, *this)}};
-}
 
 bool JointProjection::is_possible(const AspectMap& map) noexcept {
   const TaskSpace space = map.manipulator()->task_space();
@@ -155,14 +102,6 @@ Vector2d JointProjection::joint_values(const Vector2d& point, const WorkingMode&
 
 Vector2d JointProjection::image(const Vector2d& point, const WorkingMode& mode) const {
   return window_.wrapped(joint_values(point, mode));
-}
-
-// The copy of q, a number of turns away, that is closest to the reference.
-Vector2d JointProjection::near(const Vector2d& reference, Vector2d q) const {
-  for (const int i : {0, 1})
-    if (window_.turns[static_cast<std::size_t>(i)])
-      q[i] = reference[i] + std::remainder(q[i] - reference[i], full_turn);
-  return q;
 }
 
 // The whole range of a length counts like a turn, whatever its unit.
@@ -198,7 +137,7 @@ TriangleCorners JointProjection::triangles(int aspect, const std::vector<Boundar
   const WorkingMode mode = map_->aspects()[static_cast<std::size_t>(aspect - 1)].mode;
   TriangleCorners corners;
   const auto add = [&](const Polygon& image) {
-    for (const Polygon& copy : copies_of(enlarged(image), window_)) add_fan(copy, corners);
+    for (const Polygon& copy : window_.copies_of(enlarged(image), true)) add_fan(copy, corners);
   };
   for (const BoundarySliver& sliver : slivers)
     if (sliver.aspect == aspect) visit_images(sliver.corners, mode, max_splits, add);
@@ -210,7 +149,7 @@ std::vector<BoundarySliver> JointProjection::images(int aspect,
   const WorkingMode mode = map_->aspects()[static_cast<std::size_t>(aspect - 1)].mode;
   std::vector<BoundarySliver> pieces;
   const auto add = [&](const Polygon& image) {
-    for (Polygon& copy : copies_of(image, window_)) pieces.push_back({aspect, std::move(copy)});
+    for (Polygon& copy : window_.copies_of(image, true)) pieces.push_back({aspect, std::move(copy)});
   };
   for (const BoundarySliver& sliver : slivers)
     if (sliver.aspect == aspect) visit_images(sliver.corners, mode, max_splits, add);
@@ -224,7 +163,7 @@ void JointProjection::visit_images(const std::vector<Vector2d>& polygon, const W
   double longest = 0.0;
   for (const Vector2d& corner : polygon) {
     const Vector2d q = joint_values(corner, mode);
-    image.push_back(image.empty() ? q : near(image.front(), q));
+    image.push_back(image.empty() ? q : window_.near(image.front(), q));
     longest = std::max(longest, span(image.front(), image.back()));
   }
   if (longest > longest_edge && splits_left > 0) {
@@ -242,7 +181,7 @@ std::vector<Segment> JointProjection::images_of(const std::vector<Segment>& segm
   std::vector<Segment> images;
   for (Segment segment : segments) {
     const Vector2d from = joint_values(segment.from, mode, singular_leg(segment)),
-                   to = near(from, joint_values(segment.to, mode, singular_leg(segment)));
+                   to = window_.near(from, joint_values(segment.to, mode, singular_leg(segment)));
     if (!(span(from, to) < longest_segment)) continue;
     for (const auto& piece : window_.pieces(from, to)) {
       segment.from = piece[0];

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_DRAW_PLANE_MAP_PICTURES_H
 #define PARALLEL_ASPECTS_DRAW_PLANE_MAP_PICTURES_H
 
+#include "draw/plane/joint_range.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
@@ -141,21 +142,7 @@ BoundaryPicture trace_slice(const AspectMap& map, const WorkingMode& mode, const
                             const Eigen::AlignedBox2d& bounds, int cells, Cells merging = Cells::merged,
                             const IndexLevels& levels = {});
 
-/// The rectangle of joint values that is drawn: one turn, -pi to pi, for an angle without limits, the range
-/// that the aspects take otherwise. Opposite edges of a full turn are the same.
-struct JointWindow {
-  Eigen::Vector2d lower;        ///< least values [rad or m]
-  Eigen::Vector2d upper;        ///< greatest values [rad or m]
-  std::array<bool, 2> turns{};  ///< whether the actuated joint is an angle that wraps
-
-  /// Joint values brought into the window where they wrap.
-  Eigen::Vector2d wrapped(const Eigen::Vector2d& q) const noexcept;
-
-  /// A short straight line as it is seen in the window: where it leaves by one edge of a full turn, the rest
-  /// comes in by the opposite one.
-  std::vector<std::array<Eigen::Vector2d, 2>> pieces(const Eigen::Vector2d& from,
-                                                     const Eigen::Vector2d& to) const;
-};
+using JointWindow = JointRange<2>;
 
 /// Corners of triangles, three each, counter-clockwise.
 using TriangleCorners = std::vector<Eigen::Vector2d>;
@@ -198,7 +185,6 @@ class JointProjection {
   Eigen::Vector2d joint_values(const Eigen::Vector2d& point, const WorkingMode& mode,
                                std::optional<std::size_t> singular = std::nullopt) const;
   double span(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
-  Eigen::Vector2d near(const Eigen::Vector2d& reference, Eigen::Vector2d q) const;
   void visit_images(const std::vector<Eigen::Vector2d>& polygon, const WorkingMode& mode, int splits_left,
                     const std::function<void(const std::vector<Eigen::Vector2d>&)>& visit) const;
   template <class Segment>

@@ -2,10 +2,10 @@
 #ifndef PARALLEL_ASPECTS_DRAW_PLANE_PALETTE_H
 #define PARALLEL_ASPECTS_DRAW_PLANE_PALETTE_H
 
+#include "draw/plane/map_pictures.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/model/constraints.h"
 
-#include "draw/plane/map_pictures.h"
 #include <cstddef>
 #include <cstdint>
 #include <optional>

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_DRAW_PLANE_SINGULAR_CURVES_H
 #define PARALLEL_ASPECTS_DRAW_PLANE_SINGULAR_CURVES_H
 
+#include "draw/plane/map_pictures.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
@@ -9,7 +10,6 @@
 
 #include <Eigen/Core>
 
-#include "draw/plane/map_pictures.h"
 #include <array>
 #include <cstddef>
 #include <map>

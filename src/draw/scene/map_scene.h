@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_DRAW_SCENE_MAP_SCENE_H
 
 #include "draw/scene/plane_scene.h"
+
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -22,7 +23,7 @@ struct AspectOutline {
 /// What is drawn of a map.
 struct SceneOptions {
   std::vector<WorkingMode> modes;  ///< empty for all
-  std::optional<MapSection> section;
+  std::optional<PoseSection> section;
   IndexLevels levels;
   bool each_aspect = false;  ///< a figure for each aspect, not for each working mode
   std::vector<AspectOutline> outlines;

@@ -96,7 +96,7 @@ std::string aspect_words(const AspectMap& map, const Aspect& aspect) {
          ", " + number_text(aspect.measure, 4) + " " + map.unit();
 }
 
-PosePlane plane_of(const AspectMap& map, const std::optional<MapSection>& section) {
+PosePlane plane_of(const AspectMap& map, const std::optional<PoseSection>& section) {
   if (section && section->slice) return plane_of_slice(map, *section->slice);
   if (map.slice() && !section) return plane_of_slice(map, *map.slice());
   return plane_of(map, PoseSlice(map.manipulator()->motions(), section ? section->torsion : 0.0));

@@ -2,13 +2,13 @@
 #ifndef PARALLEL_ASPECTS_DRAW_SCENE_PLANE_SCENE_H
 #define PARALLEL_ASPECTS_DRAW_SCENE_PLANE_SCENE_H
 
+#include "draw/plane/map_pictures.h"
+#include "draw/plane/palette.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "draw/plane/map_pictures.h"
-#include "draw/plane/palette.h"
 #include <array>
 #include <optional>
 #include <set>
@@ -96,7 +96,7 @@ std::set<BoundaryKind> kinds_of(const std::vector<BoundarySegment>& boundaries);
 std::string aspect_words(const AspectMap& map, const Aspect& aspect);
 
 /// A section through a map: what is held, or in SO3 the torsion [rad].
-struct MapSection {
+struct PoseSection {
   std::optional<MapSlice> slice;
   double torsion = 0.0;
 };
@@ -110,7 +110,7 @@ struct PosePlane {
 };
 
 /// That of a map of two coordinates, or of a section through one of three.
-PosePlane plane_of(const AspectMap& map, const std::optional<MapSection>& section = std::nullopt);
+PosePlane plane_of(const AspectMap& map, const std::optional<PoseSection>& section = std::nullopt);
 
 /// That of a map of two coordinates, or the one of a map of all poses that `slice` cuts out.
 PosePlane plane_of(const AspectMap& map, const PoseSlice& slice);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "draw/surface/aspect_surface.h"
 
+#include "draw/plane/boundary_functions.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "draw/plane/boundary_functions.h"
 #include <algorithm>
 #include <cmath>
 #include <utility>

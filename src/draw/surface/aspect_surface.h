@@ -2,12 +2,12 @@
 #ifndef PARALLEL_ASPECTS_DRAW_SURFACE_ASPECT_SURFACE_H
 #define PARALLEL_ASPECTS_DRAW_SURFACE_ASPECT_SURFACE_H
 
+#include "draw/plane/map_pictures.h"
+#include "draw/surface/surface_mesh.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 
 #include <Eigen/Core>
 
-#include "draw/plane/map_pictures.h"
-#include "draw/surface/surface_mesh.h"
 #include <array>
 #include <cstddef>
 #include <cstdint>

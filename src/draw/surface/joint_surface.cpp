@@ -18,18 +18,6 @@ using Corners = std::vector<Vector3d>;
 
 constexpr double widest = 0.25;  // of a turn, that a triangle takes: wider ones cannot be unwrapped
 
-// What is left of a convex polygon on one side of a plane across an axis (Sutherland and Hodgman).
-Corners cut_across(const Corners& polygon, Eigen::Index axis, double bound, double side) {
-  Corners kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector3d &here = polygon[i], &next = polygon[(i + 1) % polygon.size()];
-    const double a = side * (here[axis] - bound), b = side * (next[axis] - bound);
-    if (a <= 0.0) kept.push_back(here);
-    if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)) kept.push_back(here + a / (a - b) * (next - here));
-  }
-  return kept;
-}
-
 /// Carries one surface to joint space.
 class Carrier {
  public:
@@ -37,7 +25,7 @@ class Carrier {
       : surface_(surface), block_(block) {
     const WorkingMode& mode = map.aspects()[static_cast<std::size_t>(surface.aspect - 1)].mode;
     for (const Vector3d& point : surface.mesh.points)
-      images_.push_back(block.values(*map.manipulator(), surface_pose(map, point), mode));
+      images_.push_back(values_in(block, *map.manipulator(), surface_pose(map, point), mode));
     result_.aspect = surface.aspect;
   }
 
@@ -48,14 +36,6 @@ class Carrier {
   }
 
  private:
-  // The copy of q, a number of turns away, that is closest to the reference.
-  Vector3d near(const Vector3d& reference, Vector3d q) const {
-    for (Eigen::Index i = 0; i < 3; ++i)
-      if (block_.turns[static_cast<std::size_t>(i)])
-        q[i] = reference[i] + std::remainder(q[i] - reference[i], full_turn);
-    return q;
-  }
-
   bool is_narrow(const Corners& corners) const {
     for (Eigen::Index i = 0; i < 3; ++i)
       if (block_.turns[static_cast<std::size_t>(i)])
@@ -68,7 +48,7 @@ class Carrier {
     const auto& triangle = surface_.mesh.triangles[t];
     Corners corners;
     for (const std::uint32_t corner : triangle)
-      corners.push_back(corners.empty() ? images_[corner] : near(corners.front(), images_[corner]));
+      corners.push_back(corners.empty() ? images_[corner] : block_.near(corners.front(), images_[corner]));
     if (!corners[0].allFinite() || !corners[1].allFinite() || !corners[2].allFinite()) return;
     if (!is_narrow(corners)) return;
     const auto bound = bound_of(surface_, t);
@@ -76,7 +56,7 @@ class Carrier {
       add({shared(triangle[0]), shared(triangle[1]), shared(triangle[2])}, bound);
       return;
     }
-    for (const Corners& copy : copies_of(corners)) add_fan(copy, bound);
+    for (const Corners& copy : block_.copies_of(corners, false)) add_fan(copy, bound);
   }
 
   bool is_within(const Corners& corners) const {
@@ -86,25 +66,6 @@ class Carrier {
             (corner[i] < block_.lower[i] || corner[i] > block_.upper[i]))
           return false;
     return true;
-  }
-
-  // Every copy, a turn apart, that meets the block.
-  std::vector<Corners> copies_of(const Corners& corners) const {
-    std::vector<Corners> copies{corners};
-    for (Eigen::Index i = 0; i < 3; ++i) {
-      if (!block_.turns[static_cast<std::size_t>(i)]) continue;
-      std::vector<Corners> parts;
-      for (const Corners& copy : copies)
-        for (const double turns : {-1.0, 0.0, 1.0}) {
-          Corners part = copy;
-          for (Vector3d& corner : part) corner[i] += turns * full_turn;
-          part = cut_across(part, i, block_.upper[i], 1.0);
-          part = cut_across(part, i, block_.lower[i], -1.0);
-          if (part.size() > 2) parts.push_back(std::move(part));
-        }
-      copies = std::move(parts);
-    }
-    return copies;
   }
 
   std::uint32_t append(const Vector3d& point) {
@@ -138,15 +99,14 @@ class Carrier {
 
 }  // namespace
 
-Vector3d JointBlock::values(const Manipulator& robot, const Pose& pose, const WorkingMode& mode) const {
+Vector3d values_in(const JointBlock& block, const Manipulator& robot, const Pose& pose,
+                   const WorkingMode& mode) {
   Vector3d q;
   for (std::size_t j = 0; j < 3; ++j) {
     const Leg& leg = robot.leg(j);
-    double& value = q[static_cast<Eigen::Index>(j)];
-    value = joint_value(leg, pose.transform(leg.anchor), mode.sign(j));
-    if (turns[j]) value = std::remainder(value, full_turn);
+    q[static_cast<Eigen::Index>(j)] = joint_value(leg, pose.transform(leg.anchor), mode.sign(j));
   }
-  return q;
+  return block.wrapped(q);
 }
 
 bool has_joint_surfaces(const AspectMap& map) noexcept {
@@ -160,7 +120,7 @@ JointBlock joint_block(const AspectMap& map) {
   block.upper = -block.lower;
   for (const Aspect& aspect : map.aspects())
     map.visit_inside_poses(aspect.id, [&](const Pose& pose, double) {
-      const Vector3d q = block.values(robot, pose, aspect.mode);
+      const Vector3d q = values_in(block, robot, pose, aspect.mode);
       block.lower = block.lower.cwiseMin(q);
       block.upper = block.upper.cwiseMax(q);
     });

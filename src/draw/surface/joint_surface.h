@@ -2,11 +2,11 @@
 #ifndef PARALLEL_ASPECTS_DRAW_SURFACE_JOINT_SURFACE_H
 #define PARALLEL_ASPECTS_DRAW_SURFACE_JOINT_SURFACE_H
 
+#include "draw/surface/aspect_surface.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 
 #include <Eigen/Core>
 
-#include "draw/surface/aspect_surface.h"
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -14,17 +14,13 @@
 
 namespace parallel_aspects {
 
-/// What is drawn of the joint space of a robot with three actuated joints: the limits of a joint, a full turn
-/// where an angle has none, and what the aspects take otherwise. Opposite faces of a full turn are the same.
-struct JointBlock {
-  Eigen::Vector3d lower;        ///< least values [rad or m]
-  Eigen::Vector3d upper;        ///< greatest values [rad or m]
-  std::array<bool, 3> turns{};  ///< whether the joint is an angle that wraps
+/// Of the limits of joints, where they have any.
+using JointBlock = JointRange<3>;
 
-  /// The actuated joints that put the platform there in a working mode, within the block where they wrap;
-  /// where a leg does not reach, as near to it as it gets.
-  Eigen::Vector3d values(const Manipulator& robot, const Pose& pose, const WorkingMode& mode) const;
-};
+/// The actuated joints that put the platform there in a working mode, within the block where they wrap; where
+/// a leg does not reach, as near to it as it gets.
+Eigen::Vector3d values_in(const JointBlock& block, const Manipulator& robot, const Pose& pose,
+                          const WorkingMode& mode);
 
 /// Whether the aspects of this map are drawn in joint space too.
 bool has_joint_surfaces(const AspectMap& map) noexcept;

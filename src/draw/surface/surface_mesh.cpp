@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "draw/surface/surface_mesh.h"
 
+#include "draw/surface/plane_polygons.h"
+
 #include <Eigen/Geometry>
 
-#include "draw/surface/plane_polygons.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>

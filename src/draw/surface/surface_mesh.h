@@ -2,9 +2,10 @@
 #ifndef PARALLEL_ASPECTS_DRAW_SURFACE_SURFACE_MESH_H
 #define PARALLEL_ASPECTS_DRAW_SURFACE_SURFACE_MESH_H
 
+#include "draw/surface/cell_set.h"
+
 #include <Eigen/Core>
 
-#include "draw/surface/cell_set.h"
 #include <array>
 #include <cstdint>
 #include <vector>

@@ -13,83 +13,43 @@
 namespace parallel_aspects {
 namespace {
 
-using visualization_msgs::Marker;
-
 constexpr int steps_of_a_segment = 20;
 constexpr double line_width = 0.006, ball_width = 0.025;  // of the size of what is drawn
 
-class PathDrawing {
- public:
-  PathDrawing(const Manipulator& manipulator, double radius)
-      : robot_(manipulator),
-        only_turns_(!has_translation(manipulator.task_space())),
-        radius_(radius),
-        size_(only_turns_ ? 2.0 * radius : manipulator.size()) {
-    array_.markers.resize(1);
-    array_.markers.front().action = Marker::DELETEALL;
-  }
-
-  geometry_msgs::Point point(const Pose& pose) const {
-    const Eigen::Isometry3d platform = platform_in_base(robot_, pose);
-    const Eigen::Vector3d at =
-        platform * (only_turns_ ? Eigen::Vector3d(0.0, 0.0, radius_) : Eigen::Vector3d::Zero().eval());
-    geometry_msgs::Point message;
-    message.x = at.x();
-    message.y = at.y();
-    message.z = at.z();
-    return message;
-  }
-
-  Marker& add(const std::string& group, int type, double width, const std_msgs::ColorRGBA& color) {
-    Marker marker;
-    marker.header.frame_id = robot_.base_frame();
-    marker.ns = "planned_path/" + group;
-    marker.type = type;
-    marker.pose.orientation.w = 1.0;
-    marker.scale.x = marker.scale.y = marker.scale.z = width * size_;
-    marker.color = color;
-    array_.markers.push_back(marker);
-    return array_.markers.back();
-  }
-
-  void extend(Marker& line, const Pose& pose, const WorkingMode& mode) const {
-    line.points.push_back(point(pose));
-    const InverseSolution solution = inverse(robot_, pose, mode);
-    const bool solved = solution.status != InverseStatus::out_of_reach;  // else B_jj = 0, but for rounding
-    line.colors.push_back(solved ? color(index_color(parallel_index(robot_, pose, solution.q)))
-                                 : color(ink_color));
-  }
-
-  visualization_msgs::MarkerArray take() { return std::move(array_); }
-
- private:
-  const Manipulator& robot_;
-  bool only_turns_;
-  double radius_, size_;
-  visualization_msgs::MarkerArray array_;
-};
+/// Where a path is drawn, in the base frame [m].
+Eigen::Vector3d path_point(const Manipulator& robot, const Pose& pose, double radius) {
+  const double up = has_translation(robot.task_space()) ? 0.0 : radius;
+  return platform_in_base(robot, pose) * Eigen::Vector3d(0.0, 0.0, up);
+}
 
 }  // namespace
 
 visualization_msgs::MarkerArray path_markers(const Manipulator& manipulator, const PlannedPath& path,
                                              const PoseBetween& between, double radius) {
-  PathDrawing drawing(manipulator, radius);
-  Marker& line = drawing.add("line", Marker::LINE_STRIP, line_width, color(ink_color));
-  drawing.extend(line, path.points.front().pose, path.points.front().mode);
+  const double size = has_translation(manipulator.task_space()) ? manipulator.size() : 2.0 * radius;
+  const MarkerBatch::Plane base{manipulator.base_frame()};
+  std::vector<Eigen::Vector3d> line, gates;
+  std::vector<std_msgs::ColorRGBA> colors;
+  const auto extend = [&](const Pose& pose, const WorkingMode& mode) {
+    line.push_back(path_point(manipulator, pose, radius));
+    const InverseSolution solution = inverse(manipulator, pose, mode);
+    const bool solved = solution.status != InverseStatus::out_of_reach;  // else B_jj = 0, but for rounding
+    colors.push_back(color(solved ? index_color(parallel_index(manipulator, pose, solution.q)) : ink_color));
+  };
+  extend(path.points.front().pose, path.points.front().mode);
   for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
     for (int step = 1; step <= steps_of_a_segment; ++step)
-      drawing.extend(line,
-                     between(path.points[i].pose, path.points[i + 1].pose,
-                             static_cast<double>(step) / static_cast<double>(steps_of_a_segment)),
-                     path.points[i].mode);
-  drawing.add("ends", Marker::SPHERE_LIST, ball_width, color(ink_color)).points = {
-      drawing.point(path.points.front().pose), drawing.point(path.points.back().pose)};
-  if (path.crossings.empty()) return drawing.take();
-  Marker& gates =
-      drawing.add("gates", Marker::SPHERE_LIST, ball_width, color(boundary_color(BoundaryKind::serial)));
+      extend(between(path.points[i].pose, path.points[i + 1].pose,
+                     static_cast<double>(step) / static_cast<double>(steps_of_a_segment)),
+             path.points[i].mode);
   for (const PathCrossing& crossing : path.crossings)
-    gates.points.push_back(drawing.point(path.points[crossing.point].pose));
-  return drawing.take();
+    gates.push_back(path_point(manipulator, path.points[crossing.point].pose, radius));
+  MarkerBatch batch;
+  batch.strip(base, "planned_path/line", line, colors, line_width * size);
+  batch.balls(base, "planned_path/ends", {line.front(), line.back()}, ball_width * size, color(ink_color));
+  batch.balls(base, "planned_path/gates", gates, ball_width * size,
+              color(boundary_color(BoundaryKind::serial)));
+  return batch.take();
 }
 
 namespace {
@@ -139,9 +99,7 @@ Eigen::Isometry3d center_in_base(const AspectMap& map, const RegularWorkspace& w
 
 visualization_msgs::MarkerArray workspace_markers(const AspectMap& map, const WorkspaceQuestion& question,
                                                   const RegularWorkspace& workspace) {
-  visualization_msgs::MarkerArray array;
-  array.markers.emplace_back();
-  array.markers.back().action = Marker::DELETEALL;
+  visualization_msgs::MarkerArray array = MarkerBatch().take();
   if (!(workspace.lower > 0.0)) return array;
   Marker marker;
   marker.header.frame_id = map.manipulator()->base_frame();

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/display.h"
 
-#include "ros/labels/placed_labels.h"
+#include "draw/scene/placed_labels.h"
 #include "ros/pictures/domain_picture.h"
 #include "ros/pictures/gauge_picture.h"
 #include "ros/pictures/map_picture.h"
 #include "ros/pictures/scene.h"
-#include "ros/pictures/slice_picture.h"
 
 #include <ros/console.h>
 
@@ -56,7 +55,7 @@ Display::Display(const NodeSetup& setup, ros::NodeHandle private_nh)
       uniqueness_markers_(latched(private_nh, "uniqueness_markers")),
       options_(setup.options.display) {
   set_domains(nullptr);
-  set_picture(std::make_shared<const GaugePicture>(manipulator_, frames_, scene_));
+  set_picture(make_gauge_picture(manipulator_, frames_, scene_));
 }
 
 void Display::set_options(const DisplayOptions& options) {
@@ -85,9 +84,9 @@ void Display::set_map(const std::shared_ptr<const AspectMap>& map) {
     return;
   }
   if (map->manipulator()->task_space() == TaskSpace::T2)
-    set_picture(std::make_shared<const MapPicture>(map, frames_, options));
+    set_picture(make_map_picture(map, frames_, options));
   else
-    set_picture(std::make_shared<const SlicePicture>(map, frames_, scene_, options));
+    set_picture(make_slice_picture(map, frames_, scene_, options));
   const std::lock_guard<std::mutex> lock(mutex_);
   mapped_ = true;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/domain_picture.h"
 
+#include "draw/surface/aspect_surface.h"
 #include "ros/pictures/marker_batch.h"
 
-#include "draw/surface/aspect_surface.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/map_picture.h"
 
+#include "ros/pictures/plane_markers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -117,183 +119,206 @@ std::string range_text(const JointWindow& window, const Manipulator& manipulator
   return joint + range;
 }
 
+/// The whole workspace and joint space of every working mode. Its geometry is worked out once; what moves is
+/// cheap.
+class MapPicture : public Picture {
+ public:
+  MapPicture(std::shared_ptr<const AspectMap> map, MarkerFrames frames, const DisplayOptions& options)
+      : map_(std::move(map)),
+        frames_(std::move(frames)),
+        options_(options),
+        projection_(map_),
+        layout_(*map_, projection_.window(), options.gallery_scale) {
+    // A little behind the robot, so that the picture never hides it.
+    const Eigen::Translation3d behind(0.0, 0.0, -0.05 * map_->manipulator()->size());
+    at_robot_ = {frames_.base, map_->manipulator()->task_frame() * behind};
+    workspaces_ = {frames_.aspects, Eigen::Isometry3d::Identity()};
+    joint_spaces_ = {frames_.joint_space, Eigen::Isometry3d::Identity()};
+    for (const WorkingMode& mode : map_->working_modes()) modes_.push_back(picture_of(mode));
+  }
+
+  visualization_msgs::MarkerArray gallery(const Drawn&) const override {
+    MarkerBatch batch;
+    if (!options_.gallery) return batch.take();
+    for (std::size_t column = 0; column < modes_.size(); ++column) {
+      draw_workspace_tile(column, batch);
+      draw_joint_tile(column, batch);
+    }
+    draw_legend(batch);
+    return batch.take();
+  }
+
+  visualization_msgs::MarkerArray present(const Drawn& now) const override {
+    MarkerBatch batch;
+    const auto column = now ? column_of(now->mode) : std::nullopt;
+    if (!column) return batch.take();
+    const ModePicture& picture = modes_[*column];
+    const double text = layout_.text_height();
+    const PlanePainter robot(batch, at_robot_, "robot", text, 0.1 * text);
+    for (const PlaneArea& area : picture.at_robot.areas) {
+      robot.area(area, now->aspect);
+      robot.label(area, label_point(area), text, now->aspect);
+    }
+    robot.outline(picture.at_robot, now->aspect);
+    robot.boundaries(picture.at_robot);
+    if (!options_.gallery) return batch.take();
+    workspace(*column, batch).outline(picture.tile, now->aspect);
+    joint_space(*column, batch).outline(picture.joints, now->aspect);
+    for (const PlaneArea& area : picture.joints.areas)  // the present aspect over the others
+      if (picture.overlaps && area.aspect == now->aspect)
+        joint_space(*column, batch).area(area, {}, 1.0F, 1.5 * stack_height * text, "/present");
+    return batch.take();
+  }
+
+  bool present_differs(const Drawn& before, const Drawn& now) const override {
+    if (!before || !now) return before.has_value() != now.has_value();
+    return before->mode != now->mode || before->aspect != now->aspect;
+  }
+
+  visualization_msgs::MarkerArray position(const Drawn& now) const override {
+    MarkerBatch batch;
+    const auto column = now ? column_of(now->mode) : std::nullopt;
+    if (!column || !options_.gallery) return batch.take();
+    const Vector2d pose = now->solved.pose.position.head<2>();
+    const Vector2d q = projection_.window().wrapped(now->solved.q.head<2>());
+    const double text = layout_.text_height();
+    PlanePainter(batch, workspaces_, "position/workspace", text, 0.0)
+        .dot(layout_.in_workspace_tile(pose, *column));
+    PlanePainter(batch, joint_spaces_, "position/joint_space", text, 0.0)
+        .dot(layout_.in_joint_tile(q, *column));
+    return batch.take();
+  }
+
+  std::vector<geometry_msgs::TransformStamped> frames() const override {
+    const auto frame = [this](const std::string& name, const Vector2d& origin) {
+      return still_frame(frames_.base, name,
+                         at_robot_.pose * Eigen::Translation3d(origin.x(), origin.y(), 0.0));
+    };
+    return {frame(frames_.aspects, layout_.aspects_origin()),
+            frame(frames_.joint_space, layout_.joint_space_origin())};
+  }
+
+ private:
+  struct ModePicture {
+    WorkingMode mode;
+    PlaneScene at_robot, tile;  // in the workspace, finely and less so
+    PlaneScene joints;          // in joint space
+    bool overlaps = false;      // whether several aspects lie over the same joint values
+  };
+
+  // Those that are too small for the grid have an area without pieces, so that they are in the legend.
+  ModePicture picture_of(const WorkingMode& mode) const {
+    std::set<int> ids;
+    for (const Aspect& aspect : map_->aspects())
+      if (aspect.mode == mode) ids.insert(aspect.id);
+    const PosePlane plane = plane_of(*map_);
+    const auto traced = [&](int cells, Cells merging) {
+      return trace_slice(*map_, mode, plane.slice, plane.bounds, cells, merging);
+    };
+    const BoundaryPicture tile = traced(tile_cells, Cells::merged);
+    ModePicture picture{
+        mode, pose_scene(*map_, plane, traced(robot_cells, Cells::merged), ids),
+        pose_scene(*map_, plane, tile, ids),
+        joint_scene(*map_, projection_, traced(joint_cells, Cells::single), ids, mode, Pieces::enlarged)};
+    picture.joints.boundaries = projection_.images(tile.segments, mode);
+    picture.overlaps = overlap(picture.joints, projection_.window());
+    return picture;
+  }
+
+  PlanePainter workspace(std::size_t column, MarkerBatch& batch) const {
+    const double text = layout_.text_height();
+    return {batch,
+            workspaces_,
+            "workspace",
+            text,
+            0.06 * text,
+            [this, column](const Vector2d& point) { return layout_.in_workspace_tile(point, column); }};
+  }
+
+  PlanePainter joint_space(std::size_t column, MarkerBatch& batch) const {
+    const double text = layout_.text_height();
+    return {batch,         joint_spaces_,
+            "joint_space", text,
+            0.06 * text,   [this, column](const Vector2d& q) { return layout_.in_joint_tile(q, column); }};
+  }
+
+  // Where a label of an aspect has most room.
+  Vector2d label_point(const PlaneArea& area) const {
+    return map_->aspects()[static_cast<std::size_t>(area.aspect - 1)].deepest.position.head<2>();
+  }
+
+  std::optional<std::size_t> column_of(const WorkingMode& mode) const {
+    const auto found = std::find_if(modes_.begin(), modes_.end(),
+                                    [&](const ModePicture& picture) { return picture.mode == mode; });
+    if (found == modes_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - modes_.begin());
+  }
+
+  void draw_workspace_tile(std::size_t column, MarkerBatch& batch) const {
+    const double text = layout_.text_height();
+    const PlaneScene& tile = modes_[column].tile;
+    const PlanePainter painter = workspace(column, batch);
+    const Vector2d middle = layout_.workspace_tile_center(column),
+                   half_up(0.0, 0.5 * layout_.workspace_tile_size().y());
+    Vector2d line = middle - half_up - Vector2d(0.0, 0.9 * text);
+    for (const PlaneArea& area : tile.areas) {
+      painter.area(area);
+      painter.label(area, label_point(area), 0.8 * text);
+      painter.words("/sizes", line, 0.8 * text, area.title);
+      line.y() -= 0.95 * text;
+    }
+    painter.boundaries(tile);
+    painter.words("/titles", middle + half_up + Vector2d(0.0, text), text,
+                  "working mode " + to_string(modes_[column].mode));
+  }
+
+  // Projections overlap where there are several assembly modes.
+  void draw_joint_tile(std::size_t column, MarkerBatch& batch) const {
+    const double text = layout_.text_height();
+    const ModePicture& picture = modes_[column];
+    const PlanePainter painter = joint_space(column, batch);
+    double height = 0.0;
+    for (const PlaneArea& area : picture.joints.areas) {
+      painter.area(area, {}, 1.0F, height);
+      height += stack_height * text / static_cast<double>(picture.joints.areas.size());
+    }
+    painter.boundaries(picture.joints);
+    const Vector2d middle = layout_.joint_tile_center(column);
+    painter.frame("/window", middle, layout_.joint_tile_size(), 0x808080, 0.04 * text);
+    Vector2d below = middle - Vector2d(0.0, 0.5 * layout_.joint_tile_size().y() + 0.7 * text);
+    for (std::size_t leg = 0; leg < 2; ++leg) {
+      painter.words("/axes", below, 0.75 * text, range_text(projection_.window(), *map_->manipulator(), leg));
+      below.y() -= 0.95 * text;
+    }
+    if (picture.overlaps) painter.words("/several", below, 0.6 * text, "several aspects, one over another");
+  }
+
+  void draw_legend(MarkerBatch& batch) const {
+    const double text = layout_.text_height();
+    const Vector2d step = layout_.joint_tile_center(1) - layout_.joint_tile_center(0);
+    Vector2d at(0.0, -0.5 * layout_.joint_tile_size().y() - 4.0 * text);
+    std::set<BoundaryKind> kinds;
+    for (const ModePicture& mode : modes_) kinds.merge(kinds_of(mode.tile.boundaries));
+    for (const LegendEntry& entry : boundary_legend(kinds)) {
+      joint_space(0, batch).words("/legend", at, 0.8 * text, entry.text, entry.color);
+      at += modes_.size() > 2 ? Vector2d(1.5 * step) : Vector2d(0.0, -1.1 * text);
+    }
+  }
+
+  std::shared_ptr<const AspectMap> map_;
+  MarkerFrames frames_;
+  DisplayOptions options_;
+  JointProjection projection_;
+  GalleryLayout layout_;
+  MarkerBatch::Plane at_robot_, workspaces_, joint_spaces_;
+  std::vector<ModePicture> modes_;  // a column each
+};
+
 }  // namespace
 
-MapPicture::MapPicture(std::shared_ptr<const AspectMap> map, MarkerFrames frames,
-                       const DisplayOptions& options)
-    : map_(std::move(map)),
-      frames_(std::move(frames)),
-      options_(options),
-      projection_(map_),
-      layout_(*map_, projection_.window(), options.gallery_scale) {
-  // A little behind the robot, so that the picture never hides it.
-  const Eigen::Translation3d behind(0.0, 0.0, -0.05 * map_->manipulator()->size());
-  at_robot_ = {frames_.base, map_->manipulator()->task_frame() * behind};
-  workspaces_ = {frames_.aspects, Eigen::Isometry3d::Identity()};
-  joint_spaces_ = {frames_.joint_space, Eigen::Isometry3d::Identity()};
-  for (const WorkingMode& mode : map_->working_modes()) modes_.push_back(picture_of(mode));
-}
-
-// Those that are too small for the grid have an area without pieces, so that they are in the legend.
-MapPicture::ModePicture MapPicture::picture_of(const WorkingMode& mode) const {
-  std::set<int> ids;
-  for (const Aspect& aspect : map_->aspects())
-    if (aspect.mode == mode) ids.insert(aspect.id);
-  const PosePlane plane = plane_of(*map_);
-  const auto traced = [&](int cells, Cells merging) {
-    return trace_slice(*map_, mode, plane.slice, plane.bounds, cells, merging);
-  };
-  const BoundaryPicture tile = traced(tile_cells, Cells::merged);
-  ModePicture picture{
-      mode, pose_scene(*map_, plane, traced(robot_cells, Cells::merged), ids),
-      pose_scene(*map_, plane, tile, ids),
-      joint_scene(*map_, projection_, traced(joint_cells, Cells::single), ids, mode, Pieces::enlarged)};
-  picture.joints.boundaries = projection_.images(tile.segments, mode);
-  picture.overlaps = overlap(picture.joints, projection_.window());
-  return picture;
-}
-
-PlanePainter MapPicture::workspace(std::size_t column, MarkerBatch& batch) const {
-  const double text = layout_.text_height();
-  return {batch,
-          workspaces_,
-          "workspace",
-          text,
-          0.06 * text,
-          [this, column](const Vector2d& point) { return layout_.in_workspace_tile(point, column); }};
-}
-
-PlanePainter MapPicture::joint_space(std::size_t column, MarkerBatch& batch) const {
-  const double text = layout_.text_height();
-  return {batch,         joint_spaces_,
-          "joint_space", text,
-          0.06 * text,   [this, column](const Vector2d& q) { return layout_.in_joint_tile(q, column); }};
-}
-
-// Where a label of an aspect has most room.
-Vector2d MapPicture::label_point(const PlaneArea& area) const {
-  return map_->aspects()[static_cast<std::size_t>(area.aspect - 1)].deepest.position.head<2>();
-}
-
-visualization_msgs::MarkerArray MapPicture::gallery(const Drawn&) const {
-  MarkerBatch batch;
-  if (!options_.gallery) return batch.take();
-  for (std::size_t column = 0; column < modes_.size(); ++column) {
-    draw_workspace_tile(column, batch);
-    draw_joint_tile(column, batch);
-  }
-  draw_legend(batch);
-  return batch.take();
-}
-
-visualization_msgs::MarkerArray MapPicture::present(const Drawn& now) const {
-  MarkerBatch batch;
-  const auto column = now ? column_of(now->mode) : std::nullopt;
-  if (!column) return batch.take();
-  const ModePicture& picture = modes_[*column];
-  const double text = layout_.text_height();
-  const PlanePainter robot(batch, at_robot_, "robot", text, 0.1 * text);
-  for (const PlaneArea& area : picture.at_robot.areas) {
-    robot.area(area, now->aspect);
-    robot.label(area, label_point(area), text, now->aspect);
-  }
-  robot.outline(picture.at_robot, now->aspect);
-  robot.boundaries(picture.at_robot);
-  if (!options_.gallery) return batch.take();
-  workspace(*column, batch).outline(picture.tile, now->aspect);
-  joint_space(*column, batch).outline(picture.joints, now->aspect);
-  for (const PlaneArea& area : picture.joints.areas)  // the present aspect over the others
-    if (picture.overlaps && area.aspect == now->aspect)
-      joint_space(*column, batch).area(area, {}, 1.0F, 1.5 * stack_height * text, "/present");
-  return batch.take();
-}
-
-bool MapPicture::gallery_differs(const Drawn&, const Drawn&) const { return false; }
-
-bool MapPicture::present_differs(const Drawn& before, const Drawn& now) const {
-  if (!before || !now) return before.has_value() != now.has_value();
-  return before->mode != now->mode || before->aspect != now->aspect;
-}
-
-visualization_msgs::MarkerArray MapPicture::position(const Drawn& now) const {
-  MarkerBatch batch;
-  const auto column = now ? column_of(now->mode) : std::nullopt;
-  if (!column || !options_.gallery) return batch.take();
-  const Vector2d pose = now->solved.pose.position.head<2>();
-  const Vector2d q = projection_.window().wrapped(now->solved.q.head<2>());
-  const double text = layout_.text_height();
-  PlanePainter(batch, workspaces_, "position/workspace", text, 0.0)
-      .dot(layout_.in_workspace_tile(pose, *column));
-  PlanePainter(batch, joint_spaces_, "position/joint_space", text, 0.0)
-      .dot(layout_.in_joint_tile(q, *column));
-  return batch.take();
-}
-
-std::vector<geometry_msgs::TransformStamped> MapPicture::frames() const {
-  const auto frame = [this](const std::string& name, const Vector2d& origin) {
-    return still_frame(frames_.base, name,
-                       at_robot_.pose * Eigen::Translation3d(origin.x(), origin.y(), 0.0));
-  };
-  return {frame(frames_.aspects, layout_.aspects_origin()),
-          frame(frames_.joint_space, layout_.joint_space_origin())};
-}
-
-std::optional<std::size_t> MapPicture::column_of(const WorkingMode& mode) const {
-  const auto found = std::find_if(modes_.begin(), modes_.end(),
-                                  [&](const ModePicture& picture) { return picture.mode == mode; });
-  if (found == modes_.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - modes_.begin());
-}
-
-void MapPicture::draw_workspace_tile(std::size_t column, MarkerBatch& batch) const {
-  const double text = layout_.text_height();
-  const PlaneScene& tile = modes_[column].tile;
-  const PlanePainter painter = workspace(column, batch);
-  const Vector2d middle = layout_.workspace_tile_center(column),
-                 half_up(0.0, 0.5 * layout_.workspace_tile_size().y());
-  Vector2d line = middle - half_up - Vector2d(0.0, 0.9 * text);
-  for (const PlaneArea& area : tile.areas) {
-    painter.area(area);
-    painter.label(area, label_point(area), 0.8 * text);
-    painter.words("/sizes", line, 0.8 * text, area.title);
-    line.y() -= 0.95 * text;
-  }
-  painter.boundaries(tile);
-  painter.words("/titles", middle + half_up + Vector2d(0.0, text), text,
-                "working mode " + to_string(modes_[column].mode));
-}
-
-// Projections overlap where there are several assembly modes.
-void MapPicture::draw_joint_tile(std::size_t column, MarkerBatch& batch) const {
-  const double text = layout_.text_height();
-  const ModePicture& picture = modes_[column];
-  const PlanePainter painter = joint_space(column, batch);
-  double height = 0.0;
-  for (const PlaneArea& area : picture.joints.areas) {
-    painter.area(area, {}, 1.0F, height);
-    height += stack_height * text / static_cast<double>(picture.joints.areas.size());
-  }
-  painter.boundaries(picture.joints);
-  const Vector2d middle = layout_.joint_tile_center(column);
-  painter.frame("/window", middle, layout_.joint_tile_size(), 0x808080, 0.04 * text);
-  Vector2d below = middle - Vector2d(0.0, 0.5 * layout_.joint_tile_size().y() + 0.7 * text);
-  for (std::size_t leg = 0; leg < 2; ++leg) {
-    painter.words("/axes", below, 0.75 * text, range_text(projection_.window(), *map_->manipulator(), leg));
-    below.y() -= 0.95 * text;
-  }
-  if (picture.overlaps) painter.words("/several", below, 0.6 * text, "several aspects, one over another");
-}
-
-void MapPicture::draw_legend(MarkerBatch& batch) const {
-  const double text = layout_.text_height();
-  const Vector2d step = layout_.joint_tile_center(1) - layout_.joint_tile_center(0);
-  Vector2d at(0.0, -0.5 * layout_.joint_tile_size().y() - 4.0 * text);
-  std::set<BoundaryKind> kinds;
-  for (const ModePicture& mode : modes_) kinds.merge(kinds_of(mode.tile.boundaries));
-  for (const LegendEntry& entry : boundary_legend(kinds)) {
-    joint_space(0, batch).words("/legend", at, 0.8 * text, entry.text, entry.color);
-    at += modes_.size() > 2 ? Vector2d(1.5 * step) : Vector2d(0.0, -1.1 * text);
-  }
+std::shared_ptr<const Picture> make_map_picture(const std::shared_ptr<const AspectMap>& map,
+                                                const MarkerFrames& frames, const DisplayOptions& options) {
+  return std::make_shared<const MapPicture>(map, frames, options);
 }
 
 }  // namespace parallel_aspects

@@ -2,19 +2,16 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_MAP_PICTURE_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_MAP_PICTURE_H
 
+#include "draw/plane/map_pictures.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/parameters/node_options.h"
 #include "ros/pictures/picture.h"
-#include "ros/pictures/plane_markers.h"
+#include "ros/pictures/scene.h"
 
 #include <Eigen/Geometry>
 
-#include "draw/plane/map_pictures.h"
 #include <cstddef>
 #include <memory>
-#include <optional>
-#include <vector>
 
 namespace parallel_aspects {
 
@@ -54,44 +51,15 @@ class GalleryLayout {
   Eigen::Vector2d aspects_origin_, joint_space_origin_;
 };
 
-/// The picture of one two-dimensional map: the whole workspace and joint space of every working mode. Its
-/// geometry is worked out once; what moves is cheap.
-class MapPicture : public Picture {
- public:
-  MapPicture(std::shared_ptr<const AspectMap> map, MarkerFrames frames, const DisplayOptions& options);
+/// The picture of one two-dimensional map: the whole workspace and joint space of every working mode.
+std::shared_ptr<const Picture> make_map_picture(const std::shared_ptr<const AspectMap>& map,
+                                                const MarkerFrames& frames, const DisplayOptions& options);
 
-  visualization_msgs::MarkerArray gallery(const Drawn& now) const override;
-  visualization_msgs::MarkerArray present(const Drawn& now) const override;
-  visualization_msgs::MarkerArray position(const Drawn& now) const override;
-  bool gallery_differs(const Drawn& before, const Drawn& now) const override;
-  bool present_differs(const Drawn& before, const Drawn& now) const override;
-  std::vector<geometry_msgs::TransformStamped> frames() const override;
-
- private:
-  struct ModePicture {
-    WorkingMode mode;
-    PlaneScene at_robot, tile;  // in the workspace, finely and less so
-    PlaneScene joints;          // in joint space
-    bool overlaps = false;      // whether several aspects lie over the same joint values
-  };
-
-  std::optional<std::size_t> column_of(const WorkingMode& mode) const;
-  ModePicture picture_of(const WorkingMode& mode) const;
-  PlanePainter workspace(std::size_t column, MarkerBatch& batch) const;
-  PlanePainter joint_space(std::size_t column, MarkerBatch& batch) const;
-  Eigen::Vector2d label_point(const PlaneArea& area) const;
-  void draw_workspace_tile(std::size_t column, MarkerBatch& batch) const;
-  void draw_joint_tile(std::size_t column, MarkerBatch& batch) const;
-  void draw_legend(MarkerBatch& batch) const;
-
-  std::shared_ptr<const AspectMap> map_;
-  MarkerFrames frames_;
-  DisplayOptions options_;
-  JointProjection projection_;
-  GalleryLayout layout_;
-  MarkerBatch::Plane at_robot_, workspaces_, joint_spaces_;
-  std::vector<ModePicture> modes_;  // a column each
-};
+/// The picture of a three-dimensional map: slices at the present phi, z or torsion (see `PoseSlice`), one of
+/// every working mode in the gallery, and that of the present mode at the robot where poses are positions.
+std::shared_ptr<const Picture> make_slice_picture(const std::shared_ptr<const AspectMap>& map,
+                                                  const MarkerFrames& frames, const Scene& scene,
+                                                  const DisplayOptions& options);
 
 }  // namespace parallel_aspects
 

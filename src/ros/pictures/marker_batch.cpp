@@ -88,6 +88,25 @@ void MarkerBatch::segments(const Plane& plane, const std::string& group,
   set_points(marker, ends);
 }
 
+void MarkerBatch::strip(const Plane& plane, const std::string& group,
+                        const std::vector<Eigen::Vector3d>& points,
+                        const std::vector<std_msgs::ColorRGBA>& colors, double width) {
+  if (points.empty()) return;
+  Marker& marker = add(plane, group, Marker::LINE_STRIP, colors.front());
+  marker.scale.x = width;
+  marker.colors = colors;
+  set_points(marker, points);
+}
+
+void MarkerBatch::balls(const Plane& plane, const std::string& group,
+                        const std::vector<Eigen::Vector3d>& centers, double diameter,
+                        const std_msgs::ColorRGBA& color) {
+  if (centers.empty()) return;
+  Marker& marker = add(plane, group, Marker::SPHERE_LIST, color);
+  marker.scale.x = marker.scale.y = marker.scale.z = diameter;
+  set_points(marker, centers);
+}
+
 void MarkerBatch::lines(const Plane& plane, const std::string& group, const Points& ends, double height,
                         double width, const std_msgs::ColorRGBA& color) {
   if (ends.empty()) return;

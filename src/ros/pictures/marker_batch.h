@@ -2,10 +2,11 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_MARKER_BATCH_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_MARKER_BATCH_H
 
+#include "draw/plane/palette.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "draw/plane/palette.h"
 #include <geometry_msgs/TransformStamped.h>
 #include <std_msgs/ColorRGBA.h>
 #include <string>
@@ -42,6 +43,14 @@ class MarkerBatch {
   /// Segments between points of the plane's frame, two points each. `width` [m].
   void segments(const Plane& plane, const std::string& group, const std::vector<Eigen::Vector3d>& ends,
                 double width, const std_msgs::ColorRGBA& color);
+
+  /// A line through points of the plane's frame, each with a colour. `width` [m].
+  void strip(const Plane& plane, const std::string& group, const std::vector<Eigen::Vector3d>& points,
+             const std::vector<std_msgs::ColorRGBA>& colors, double width);
+
+  /// Balls about points of the plane's frame. `diameter` [m].
+  void balls(const Plane& plane, const std::string& group, const std::vector<Eigen::Vector3d>& centers,
+             double diameter, const std_msgs::ColorRGBA& color);
 
   /// Segments in the plane, two points each. `width` [m].
   void lines(const Plane& plane, const std::string& group, const Points& ends, double height, double width,

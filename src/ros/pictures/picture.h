@@ -2,10 +2,10 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_PICTURE_H
 
+#include "draw/plane/map_pictures.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "ros/messages/conversions.h"
 
-#include "draw/plane/map_pictures.h"
 #include <geometry_msgs/TransformStamped.h>
 #include <optional>
 #include <string>
@@ -48,8 +48,8 @@ class Picture {
   virtual visualization_msgs::MarkerArray position(const Drawn& now) const = 0;
 
   /// Whether the gallery, or the present aspects, look different from what was drawn `before`.
-  virtual bool gallery_differs(const Drawn& before, const Drawn& now) const = 0;
-  virtual bool present_differs(const Drawn& before, const Drawn& now) const = 0;
+  virtual bool gallery_differs(const Drawn& /*before*/, const Drawn& /*now*/) const { return false; }
+  virtual bool present_differs(const Drawn& /*before*/, const Drawn& /*now*/) const { return false; }
 
   /// Which poses it has drawn aspects at, where those are a section of the map.
   virtual std::optional<PoseSlice> section(const Drawn&) const { return std::nullopt; }

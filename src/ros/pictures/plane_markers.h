@@ -2,9 +2,9 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_PLANE_MARKERS_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_PLANE_MARKERS_H
 
+#include "draw/scene/plane_scene.h"
 #include "ros/pictures/marker_batch.h"
 
-#include "draw/scene/plane_scene.h"
 #include <functional>
 #include <optional>
 #include <string>

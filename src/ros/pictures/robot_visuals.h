@@ -14,14 +14,6 @@
 
 namespace parallel_aspects {
 
-/// How wide the lines of a skeleton are, over the size of the robot.
-inline constexpr double skeleton_width = 0.012;
-
-/// Legs and platform of the model as segments in the task frame, two points each [m]: what a robot looks like
-/// whose URDF has no visuals. `radius`: of the sphere that a robot of SO3 takes, whose model has no size [m].
-std::vector<Eigen::Vector3d> skeleton_of(const Manipulator& robot, const Pose& pose, const JointVector& q,
-                                         double radius);
-
 /// The visuals of a robot's URDF as markers, of those links that move; its skeleton where there are none. All
 /// links of a configuration are in one message, so that the robot is drawn closed at all times. Immutable.
 class RobotVisuals {

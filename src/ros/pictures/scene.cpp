@@ -148,8 +148,6 @@ Pose start_pose(const Mechanism& mechanism, const StartOptions& start) {
   return pose_from_coordinates(mechanism.manipulator()->motions(), values).value_or(assembled);
 }
 
-double turn_length(const Manipulator& manipulator) noexcept { return manipulator.size(); }
-
 double seen_height(const Scene& scene) {
   constexpr double height_over_width = 0.8;  // of the window beside the panel
   AlignedBox3d seen = scene.robot;

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_SCENE_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_SCENE_H
 
+#include "draw/scene/robot_lines.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "ros/parameters/load_options.h"
 #include "ros/parameters/node_options.h"
@@ -51,16 +52,6 @@ struct Scene {
       Eigen::Isometry3d::Identity();  ///< x right, y up, z to the viewer, in the task frame
 };
 
-/// Of the ball of rotations that the display draws beside a robot which only turns, and which takes as much
-/// room: its radius over the robot's size, and the distance of its middle from the robot over that radius.
-inline constexpr double ball_radius = 0.15, ball_distance = 1.8;
-
-/// How long a turn of a robot of SE2 is drawn across the plane: as long as the robot is wide [m].
-double turn_length(const Manipulator& manipulator) noexcept;
-
-/// How far the viewer looks down on a robot that is not planar [rad].
-inline constexpr double view_pitch = 0.3;
-
 /// For the words of the probe, above a planar robot and what it reaches: of their height together.
 inline constexpr double words_room = 0.15;
 
@@ -68,9 +59,8 @@ inline constexpr double words_room = 0.15;
 /// of rotations [m].
 double seen_height(const Scene& scene);
 
-/// Of the display's legend, which stands above all that the robot reaches: height of its letters over
-/// `seen_height`, from line to line over that, and the lines that there is room for.
-inline constexpr double legend_height = 0.027, legend_pitch = 1.35, legend_lines = 5.0;
+/// Lines of the display's legend that there is room for.
+inline constexpr double legend_lines = 5.0;
 
 /// `still`: what is drawn of the base, as `RobotVisuals::still` says.
 Scene scene_of(const Mechanism& mechanism, const NodeOptions& options, const Eigen::AlignedBox3d& still = {});

@@ -2,6 +2,8 @@
 #ifndef PARALLEL_ASPECTS_ROS_PROBE_PROBE_SOLVER_H
 #define PARALLEL_ASPECTS_ROS_PROBE_PROBE_SOLVER_H
 
+#include "draw/plane/map_pictures.h"
+#include "draw/plane/palette.h"
 #include "motion/nearest_reachable.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/urdf/mechanism.h"
@@ -9,8 +11,6 @@
 
 #include <parallel_aspects/ProbeState.h>
 
-#include "draw/plane/map_pictures.h"
-#include "draw/plane/palette.h"
 #include <geometry_msgs/Pose.h>
 #include <memory>
 #include <optional>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/programs/rviz_view.h"
 
+#include "draw/plane/map_pictures.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "ros/pictures/domain_picture.h"
 #include "ros/pictures/map_picture.h"
@@ -8,7 +9,6 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "draw/plane/map_pictures.h"
 #include <algorithm>
 #include <cmath>
 

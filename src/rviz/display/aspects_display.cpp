@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/aspects_display.h"
 
+#include "draw/scene/placed_labels.h"
 #include "model/message_text.h"
-#include "ros/labels/placed_labels.h"
 #include "ros/messages/conversions.h"
 #include "rviz/display/picture_thread.h"
-#include "rviz/display/robot_models.h"
 
 #include "rviz/shapes/ogre_shapes.h"
 #include <OgreSceneNode.h>
@@ -13,6 +12,7 @@
 #include <cmath>
 #include <pluginlib/class_list_macros.hpp>
 #include <rviz/display_context.h>
+#include <rviz/display_group.h>
 #include <rviz/frame_manager.h>
 #include <rviz/properties/bool_property.h>
 #include <rviz/properties/enum_property.h>
@@ -30,6 +30,17 @@ constexpr float between_looks = 0.1F;     // at what the node says [s]
 
 std::optional<WorkingMode> mode_of(const std::vector<std::int8_t>& signs) {
   return WorkingMode::from_signs({signs.begin(), signs.end()});
+}
+
+// By itself rviz reads each description once.
+void reload_robot_models(rviz::DisplayContext& context) {
+  rviz::DisplayGroup* const root = context.getRootDisplayGroup();
+  for (int i = 0; i < root->numDisplays(); ++i) {
+    rviz::Display* const display = root->getDisplayAt(i);
+    if (display->getClassId() != "rviz/RobotModel" || !display->isEnabled()) continue;
+    display->setEnabled(false);
+    display->setEnabled(true);
+  }
 }
 
 QString text(const std::string& words) { return QString::fromStdString(words); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/drawn_picture.h"
 
-#include "ros/pictures/scene.h"
+#include "draw/scene/robot_lines.h"
 
 #include "rviz/shapes/ogre_shapes.h"
 #include <OgreMaterial.h>
@@ -91,6 +91,7 @@ void DrawnPicture::add(const ColoredLines& lines, Ogre::SceneNode* node, double 
   auto line = std::make_unique<rviz::BillboardLine>(scene_, node);
   set_color(*line, lines.color, 1.0F);
   set_segments(lines.ends, (lines.is_outline ? outline_width : line_width) * size, *line);
+  if (lines.is_leader) show_through(*line);
   lines_.push_back(std::move(line));
 }
 

@@ -2,8 +2,8 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_DRAWN_PICTURE_H
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_DRAWN_PICTURE_H
 
+#include "draw/scene/surface_picture.h"
 #include "rviz/display/surface_handle.h"
-#include "rviz/display/surface_picture.h"
 
 #include "rviz/shapes/ogre_shapes.h"
 #include <memory>

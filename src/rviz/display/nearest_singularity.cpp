@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/nearest_singularity.h"
 
-#include "rviz/display/workspace_painter.h"
+#include "draw/scene/workspace_bodies.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,12 +2,12 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_NEAREST_SINGULARITY_H
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_NEAREST_SINGULARITY_H
 
+#include "draw/plane/map_pictures.h"
 #include "model/spherical_links.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 
 #include <Eigen/Core>
 
-#include "draw/plane/map_pictures.h"
 #include <optional>
 #include <string>
 #include <vector>

@@ -2,9 +2,9 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_PICTURE_THREAD_H
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_PICTURE_THREAD_H
 
+#include "draw/scene/surface_picture.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "ros/pictures/scene.h"
-#include "rviz/display/surface_picture.h"
 
 #include <parallel_aspects/GetMap.h>
 

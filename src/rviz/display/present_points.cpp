@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/present_points.h"
 
+#include "draw/scene/placed_labels.h"
+#include "draw/scene/workspace_bodies.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "ros/labels/placed_labels.h"
-#include "ros/pictures/robot_visuals.h"
-#include "rviz/display/workspace_painter.h"
 
 #include "rviz/shapes/ogre_shapes.h"
 

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_PRESENT_POINTS_H
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_PRESENT_POINTS_H
 
-#include "rviz/display/surface_picture.h"
+#include "draw/scene/surface_picture.h"
 
 #include "rviz/shapes/ogre_shapes.h"
 #include <cstddef>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/singularity_mark.h"
 
+#include "draw/plane/palette.h"
 #include "parallel_aspects/model/manipulator.h"
 
-#include "draw/plane/palette.h"
 #include "rviz/shapes/ogre_shapes.h"
 #include <OgreEntity.h>
 

@@ -2,9 +2,9 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_PANEL_ASPECT_ROWS_H
 #define PARALLEL_ASPECTS_RVIZ_PANEL_ASPECT_ROWS_H
 
+#include "draw/plane/palette.h"
 #include "rviz/panel/panel_model.h"
 
-#include "draw/plane/palette.h"
 #include <cstdint>
 #include <set>
 #include <string>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/panel/panel_model.h"
 
+#include "draw/plane/palette.h"
+#include "draw/scene/placed_labels.h"
 #include "model/message_text.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "ros/labels/placed_labels.h"
 #include "ros/messages/conversions.h"
 
 #include <parallel_aspects/DistanceBounds.h>
 #include <parallel_aspects/Status.h>
 
-#include "draw/plane/palette.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -2,9 +2,10 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_GATE_LINE_H
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_GATE_LINE_H
 
+#include "draw/page/page_elements.h"
+
 #include <Eigen/Geometry>
 
-#include "draw/page/page_elements.h"
 #include <array>
 #include <cstddef>
 #include <optional>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "draw/page/page_elements.h"
 #include "tools/drawing/gate_line.h"
 #include "tools/drawing/result_charts.h"
 #include "tools/report/report.h"
 
-#include "draw/page/page_elements.h"
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/plot.h"
 
-#include "tools/report/reports.h"
-
 #include "draw/page/page.h"
 #include "draw/page/solid_view.h"
+#include "tools/report/reports.h"
 
 namespace parallel_aspects::tools {
 
@@ -14,7 +13,7 @@ PagePicture draw_plot(const std::shared_ptr<const AspectMap>& map, const PlotOpt
   if (dimension_of(*map) == 3 && !options.section) {
     Page page;
     page.title = title;
-    add_solids(*map, options.modes.empty() ? map->working_modes() : options.modes, checkpoint, page);
+    add_solids(map, options.modes.empty() ? map->working_modes() : options.modes, checkpoint, page);
     return draw_page(page);
   }
   constexpr double side = 260.0, side_of_aspects = 205.0;  // [px]

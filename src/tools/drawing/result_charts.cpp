@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/result_charts.h"
 
+#include "draw/page/page_elements.h"
+#include "draw/plane/palette.h"
 #include "model/message_text.h"
 #include "tools/report/basins_report.h"
 #include "tools/report/reports.h"
 
-#include "draw/page/page_elements.h"
-#include "draw/plane/palette.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/uniqueness_drawing.h"
 
+#include "draw/page/page.h"
+#include "draw/plane/map_pictures.h"
+#include "draw/plane/singular_curves.h"
 #include "model/angles.h"
 #include "model/message_text.h"
 #include "parallel_aspects/kinematics/kinematics.h"
@@ -8,9 +11,6 @@
 
 #include <Eigen/Geometry>
 
-#include "draw/page/page.h"
-#include "draw/plane/map_pictures.h"
-#include "draw/plane/singular_curves.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

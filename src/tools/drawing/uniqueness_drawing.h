@@ -2,10 +2,10 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_UNIQUENESS_DRAWING_H
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_UNIQUENESS_DRAWING_H
 
+#include "draw/page/page_elements.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 
-#include "draw/page/page_elements.h"
 #include <optional>
 
 namespace parallel_aspects::tools {

@@ -2,9 +2,9 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_SWEEP_SWEEP_CHART_H
 #define PARALLEL_ASPECTS_TOOLS_SWEEP_SWEEP_CHART_H
 
+#include "draw/page/page_elements.h"
 #include "parallel_aspects/model/problems.h"
 
-#include "draw/page/page_elements.h"
 #include <optional>
 #include <string>
 #include <utility>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/boxes/box_classifier.h"
+#include "draw/plane/map_pictures.h"
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
@@ -7,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "draw/plane/map_pictures.h"
 #include "support/clearance_at.h"
 #include "support/robots/constrained_robots.h"
 #include "support/robots/robots.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/map_contents.h"
+#include "draw/plane/map_pictures.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 
 #include <gtest/gtest.h>
 
-#include "draw/plane/map_pictures.h"
 #include "support/robots/constrained_robots.h"
 #include "support/robots/robots.h"
 #include "support/robots/scaled_robot.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include "draw/page/panel.h"
+
+#include <gtest/gtest.h>
 
 namespace parallel_aspects {
 namespace {

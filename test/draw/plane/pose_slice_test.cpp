@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "draw/plane/map_pictures.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 
-#include "draw/plane/map_pictures.h"
 #include "support/robots/random_robots.h"
 #include "support/robots/shipped.h"
 #include <cmath>

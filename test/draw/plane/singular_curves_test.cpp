@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "draw/plane/singular_curves.h"
 
+#include "draw/plane/map_pictures.h"
 #include "model/angles.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 
-#include "draw/plane/map_pictures.h"
 #include "support/robots/shipped.h"
 #include "support/slices.h"
 #include <algorithm>

@@ -69,7 +69,7 @@ TEST_P(JointSurfaces, HoldTheJointValuesOfDeepPoses) {
   for (const Aspect& aspect : map->aspects()) {
     if (aspect.inside_leaves < 200) continue;
     const JointSurface surface = joint_surface_of(*map, surface_of(*map, aspect.id), block);
-    const Vector3d q = block.values(*map->manipulator(), aspect.deepest, aspect.mode);
+    const Vector3d q = values_in(block, *map->manipulator(), aspect.deepest, aspect.mode);
     EXPECT_EQ(crossings(surface, q + Vector3d(1e-7, 2e-7, 0.0)) % 2, 1) << "aspect " << aspect.id;
   }
 }

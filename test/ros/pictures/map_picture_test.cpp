@@ -2,6 +2,7 @@
 #include "ros/pictures/map_picture.h"
 
 #include "ros/monitor/five_bar_setup.h"
+#include "ros/pictures/marker_batch.h"
 #include "ros/pictures/marker_groups.h"
 
 #include <gtest/gtest.h>
@@ -53,13 +54,13 @@ class MapPictureTest : public testing::Test {
 
   std::shared_ptr<const Manipulator> robot_ = test::five_bar();
   std::shared_ptr<const AspectMap> map_ = map_of(robot_);
-  MapPicture picture_{map_, test::frames, DisplayOptions{}};
+  std::shared_ptr<const Picture> picture_ = make_map_picture(map_, test::frames, DisplayOptions{});
 };
 
 TEST_F(MapPictureTest, EveryArrayDeletesFirstAndHasStampZeroAndUniqueIds) {
-  for (const MarkerArray& array : {picture_.gallery(std::nullopt), picture_.present(now(4.5, 8.0, {1, -1})),
-                                   picture_.present(std::nullopt), picture_.position(std::nullopt),
-                                   picture_.position(now(4.5, 8.0, {1, -1}))}) {
+  for (const MarkerArray& array : {picture_->gallery(std::nullopt), picture_->present(now(4.5, 8.0, {1, -1})),
+                                   picture_->present(std::nullopt), picture_->position(std::nullopt),
+                                   picture_->position(now(4.5, 8.0, {1, -1}))}) {
     ASSERT_FALSE(array.markers.empty());
     EXPECT_EQ(array.markers.front().action, Marker::DELETEALL);
     std::set<std::pair<std::string, int>> ids;
@@ -73,14 +74,15 @@ TEST_F(MapPictureTest, EveryArrayDeletesFirstAndHasStampZeroAndUniqueIds) {
 }
 
 TEST_F(MapPictureTest, PointsAreFinite) {
-  for (const MarkerArray& array : {picture_.gallery(std::nullopt), picture_.present(now(4.5, 8.0, {1, -1}))})
+  for (const MarkerArray& array :
+       {picture_->gallery(std::nullopt), picture_->present(now(4.5, 8.0, {1, -1}))})
     for (const Marker& marker : array.markers)
       for (const auto& point : marker.points)
         ASSERT_TRUE(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)) << marker.ns;
 }
 
 TEST_F(MapPictureTest, EachAspectIsOneTriangleListInItsColourAndSize) {
-  const auto fills = test::in_group(picture_.gallery(std::nullopt), "workspace/aspects");
+  const auto fills = test::in_group(picture_->gallery(std::nullopt), "workspace/aspects");
   ASSERT_EQ(fills.size(), map_->aspects().size());
   const double scale = DisplayOptions{}.gallery_scale;
   for (const Aspect& aspect : map_->aspects()) {
@@ -95,7 +97,7 @@ TEST_F(MapPictureTest, EachAspectIsOneTriangleListInItsColourAndSize) {
 }
 
 TEST_F(MapPictureTest, JointProjectionsAreInTheWindowAndTurnedToTheViewer) {
-  const auto fills = test::in_group(picture_.gallery(std::nullopt), "joint_space/aspects");
+  const auto fills = test::in_group(picture_->gallery(std::nullopt), "joint_space/aspects");
   ASSERT_EQ(fills.size(), map_->aspects().size());
   for (const Marker& marker : fills) {
     EXPECT_EQ(marker.header.frame_id, test::frames.joint_space);
@@ -109,12 +111,12 @@ TEST_F(MapPictureTest, JointProjectionsAreInTheWindowAndTurnedToTheViewer) {
 // With two assembly modes at the same joint values, one fill hides another: the present one is over all, and
 // a word says that there are several.
 TEST_F(MapPictureTest, ThePresentAspectIsOverOthersInJointSpace) {
-  const auto gallery = picture_.gallery(std::nullopt);
+  const auto gallery = picture_->gallery(std::nullopt);
   const auto fills = test::in_group(gallery, "joint_space/aspects");
   EXPECT_EQ(test::in_group(gallery, "joint_space/several").size(), map_->working_modes().size());
   for (const auto& present : {now(4.5, 8.0, {1, -1}), now(4.5, -8.0, {1, -1})}) {
     ASSERT_NE(present->aspect, 0);
-    const auto over = test::in_group(picture_.present(present), "joint_space/present");
+    const auto over = test::in_group(picture_->present(present), "joint_space/present");
     ASSERT_EQ(over.size(), 1U);
     EXPECT_EQ(over.front().color, color_of(present->aspect));
     for (const Marker& fill : fills) EXPECT_GT(over.front().points.front().z, fill.points.front().z);
@@ -154,46 +156,46 @@ TEST_F(MapPictureTest, TheBoundaryLiesOnSingularities) {
 }
 
 TEST_F(MapPictureTest, OnlyTheAspectsOfThePresentModeAreAtTheRobot) {
-  EXPECT_TRUE(test::in_group(picture_.present(std::nullopt), "robot/aspects").empty());
+  EXPECT_TRUE(test::in_group(picture_->present(std::nullopt), "robot/aspects").empty());
   const auto present = now(4.5, 8.0, {1, -1});
   ASSERT_NE(present->aspect, 0);
-  const auto fills = test::in_group(picture_.present(present), "robot/aspects");
+  const auto fills = test::in_group(picture_->present(present), "robot/aspects");
   EXPECT_EQ(fills.size(), 3U);
   int highlighted = 0;
   for (const Marker& marker : fills) highlighted += marker.color == color_of(present->aspect) ? 1 : 0;
   EXPECT_EQ(highlighted, 1);
-  EXPECT_EQ(test::in_group(picture_.present(present), "robot/outline").size(), 1U);
+  EXPECT_EQ(test::in_group(picture_->present(present), "robot/outline").size(), 1U);
 }
 
 TEST_F(MapPictureTest, ThePositionIsDrawnInBothTilesOfItsModeAndGoesAway) {
-  const MarkerArray position = picture_.position(now(4.5, 8.0, {1, -1}));
+  const MarkerArray position = picture_->position(now(4.5, 8.0, {1, -1}));
   EXPECT_FALSE(test::in_group(position, "position/workspace").empty());
   EXPECT_FALSE(test::in_group(position, "position/joint_space").empty());
-  EXPECT_EQ(picture_.position(std::nullopt).markers.size(), 1U);
+  EXPECT_EQ(picture_->position(std::nullopt).markers.size(), 1U);
 }
 
 TEST_F(MapPictureTest, OnlyAnotherModeOrAspectIsDrawnAnew) {
   const Drawn here = now(4.5, 8.0, {1, -1});
-  EXPECT_FALSE(picture_.present_differs(here, now(4.6, 8.0, {1, -1})));
-  EXPECT_TRUE(picture_.present_differs(here, now(4.5, 8.0, {1, 1})));
-  EXPECT_TRUE(picture_.present_differs(here, std::nullopt));
-  EXPECT_FALSE(picture_.gallery_differs(here, now(4.5, 8.0, {1, 1})));
+  EXPECT_FALSE(picture_->present_differs(here, now(4.6, 8.0, {1, -1})));
+  EXPECT_TRUE(picture_->present_differs(here, now(4.5, 8.0, {1, 1})));
+  EXPECT_TRUE(picture_->present_differs(here, std::nullopt));
+  EXPECT_FALSE(picture_->gallery_differs(here, now(4.5, 8.0, {1, 1})));
 }
 
 // rviz takes them over the network, and again each time that it is opened.
 TEST_F(MapPictureTest, MessagesAreSmall) {
   const auto map = compute_aspect_map(robot_).map;
-  const MapPicture picture(map, test::frames, DisplayOptions{});
-  EXPECT_LT(ros::serialization::serializationLength(picture.gallery(std::nullopt)), 3000000U);
-  EXPECT_LT(ros::serialization::serializationLength(picture.present(now(4.5, 8.0, {1, -1}))), 1500000U);
+  const auto picture = make_map_picture(map, test::frames, DisplayOptions{});
+  EXPECT_LT(ros::serialization::serializationLength(picture->gallery(std::nullopt)), 3000000U);
+  EXPECT_LT(ros::serialization::serializationLength(picture->present(now(4.5, 8.0, {1, -1}))), 1500000U);
 }
 
 TEST_F(MapPictureTest, WithoutAGalleryOnlyTheRobotIsDrawn) {
   DisplayOptions options;
   options.gallery = false;
-  const MapPicture plain(map_, test::frames, options);
-  EXPECT_TRUE(test::in_group(plain.gallery(now(4.5, 8.0, {1, -1})), "workspace/aspects").empty());
-  EXPECT_FALSE(test::in_group(plain.present(now(4.5, 8.0, {1, -1})), "robot/aspects").empty());
+  const auto plain = make_map_picture(map_, test::frames, options);
+  EXPECT_TRUE(test::in_group(plain->gallery(now(4.5, 8.0, {1, -1})), "workspace/aspects").empty());
+  EXPECT_FALSE(test::in_group(plain->present(now(4.5, 8.0, {1, -1})), "robot/aspects").empty());
 }
 
 TEST(MapPictureOfABipod, DrawsJointLimitsAsBoundaries) {

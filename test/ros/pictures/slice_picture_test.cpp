@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/pictures/slice_picture.h"
-
+#include "draw/plane/palette.h"
 #include "parallel_aspects/kinematics/kinematics.h"
+#include "ros/pictures/map_picture.h"
 #include "ros/pictures/marker_groups.h"
 #include "ros/pictures/scene.h"
 
@@ -103,7 +103,7 @@ class SlicePictureOfADelta : public testing::Test {
     return map_->aspects().front();
   }
   bool in_legend(const Drawn& now, int aspect) const {
-    const auto lines = test::in_group(picture_.gallery(now), "gallery/sizes");
+    const auto lines = test::in_group(picture_->gallery(now), "gallery/sizes");
     return std::any_of(lines.begin(), lines.end(), [&](const Marker& line) {
       return line.text.rfind("aspect " + std::to_string(aspect) + ":", 0) == 0;
     });
@@ -112,7 +112,8 @@ class SlicePictureOfADelta : public testing::Test {
   const std::shared_ptr<const Mechanism> mechanism_ = test::shipped("delta");
   const std::shared_ptr<const AspectMap> map_ = coarse_map();
   const std::shared_ptr<const Manipulator> robot_ = map_->manipulator();
-  const SlicePicture picture_{map_, test::frames, scene_of(*mechanism_, NodeOptions()), DisplayOptions()};
+  const std::shared_ptr<const Picture> picture_ =
+      make_slice_picture(map_, test::frames, scene_of(*mechanism_, NodeOptions()), DisplayOptions());
 };
 
 TEST_F(SlicePictureOfADelta, TheLegendAlwaysHasThePresentAspect) {
@@ -122,14 +123,14 @@ TEST_F(SlicePictureOfADelta, TheLegendAlwaysHasThePresentAspect) {
   EXPECT_TRUE(in_legend(now, aspect.id));
   Drawn elsewhere = now;
   elsewhere->aspect = 0;
-  EXPECT_TRUE(picture_.gallery_differs(elsewhere, now));
-  EXPECT_FALSE(picture_.gallery_differs(now, now));
+  EXPECT_TRUE(picture_->gallery_differs(elsewhere, now));
+  EXPECT_FALSE(picture_->gallery_differs(now, now));
 }
 
 TEST_F(SlicePictureOfADelta, TheSliceDoesNotHideThePlatform) {
   const Drawn now = at_the_middle_of(one_of_many());
   const double joints = 0.0075;  // half the thickness of the platform in delta.urdf [m]
-  const auto fills = test::in_group(picture_.present(now), "robot/aspects");
+  const auto fills = test::in_group(picture_->present(now), "robot/aspects");
   ASSERT_FALSE(fills.empty());
   for (const Marker& marker : fills) {
     EXPECT_LT(marker.colors.front().a, 0.7F);
@@ -145,9 +146,10 @@ TEST(SlicePictureOfAPlanarRobot, IsSeenThroughAboveAPlatformThatWouldHideIt) {
   const auto map = compute_aspect_map(mechanism->mapped_manipulator(), options).map;
   ASSERT_TRUE(map);
   const Aspect& aspect = map->aspects().front();
-  const SlicePicture picture(map, test::frames, scene_of(*mechanism, NodeOptions()), DisplayOptions());
+  const auto picture =
+      make_slice_picture(map, test::frames, scene_of(*mechanism, NodeOptions()), DisplayOptions());
   const auto fills =
-      test::in_group(picture.present(DrawnConfiguration{
+      test::in_group(picture->present(DrawnConfiguration{
                          aspect.mode,
                          aspect.id,
                          {aspect.deepest, inverse(*map->manipulator(), aspect.deepest, aspect.mode).q}}),

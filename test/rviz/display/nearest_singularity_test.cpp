@@ -3,12 +3,12 @@
 // makes a pose singular.
 #include "rviz/display/nearest_singularity.h"
 
-#include "rviz/display/surface_picture.h"
-#include "rviz/display/workspace_painter.h"
+#include "draw/plane/palette.h"
+#include "draw/scene/surface_picture.h"
+#include "draw/scene/workspace_bodies.h"
 
 #include <gtest/gtest.h>
 
-#include "draw/plane/palette.h"
 #include "support/robots/shipped.h"
 #include "support/slices.h"
 #include <algorithm>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/plot.h"
 
+#include "draw/page/outlines.h"
+#include "draw/page/page.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>
 
-#include "draw/page/outlines.h"
-#include "draw/page/page.h"
 #include "support/robots/shipped.h"
 #include "support/slices.h"
 #include <algorithm>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/uniqueness_drawing.h"
 
+#include "draw/plane/singular_curves.h"
+
 #include <gtest/gtest.h>
 
-#include "draw/plane/singular_curves.h"
 #include "support/robots/shipped.h"
 #include "support/slices.h"
 #include <algorithm>

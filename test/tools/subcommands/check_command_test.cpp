@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "draw/plane/palette.h"
 #include "tools/command.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "draw/plane/palette.h"
 #include "support/command_run.h"
 #include <cstdlib>
 #include <filesystem>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Each candidate has a name of its own, and no name covers another.
+#include "draw/scene/placed_labels.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "ros/labels/placed_labels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/labels/placed_labels.h"
+#include "draw/scene/placed_labels.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,7 +9,6 @@ namespace {
 
 // From line to line, over the height: labels in space are seen from above, too, which brings them nearer.
 constexpr double flat_pitch = 1.1, body_pitch = 1.6;
-constexpr double half_letter = 0.25;  // width over height
 
 }  // namespace
 
@@ -50,10 +49,6 @@ Eigen::Vector3d place_of(const Manipulator& robot, const Pose& pose, double radi
 }
 
 }  // namespace
-
-double drawn_size(const Manipulator& robot, double radius) noexcept {
-  return robot.task_space() == TaskSpace::SO3 ? 2.0 * radius : robot.size();
-}
 
 std::string candidate_name(std::size_t index) {
   const std::string last(1, static_cast<char>('A' + index % letters));

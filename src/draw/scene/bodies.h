@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_PAINTED_PARTS_H
-#define PARALLEL_ASPECTS_RVIZ_DISPLAY_PAINTED_PARTS_H
+#ifndef PARALLEL_ASPECTS_DRAW_SCENE_BODIES_H
+#define PARALLEL_ASPECTS_DRAW_SCENE_BODIES_H
 
+#include "draw/scene/plane_scene.h"
+#include "draw/surface/joint_surface.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <Eigen/Core>
 
-#include "draw/plane/map_pictures.h"
-#include "draw/plane/palette.h"
-#include "draw/surface/joint_surface.h"
 #include <array>
 #include <cstdint>
 #include <map>
@@ -23,7 +22,8 @@
 
 namespace parallel_aspects {
 
-/// One colour of a surface, or of a part of a plane.
+/// What is drawn of a space, as values that say nothing of how it is painted: one colour of a surface, or of
+/// a part of a plane.
 struct ColoredMesh {
   int aspect = 0;           ///< id
   std::uint32_t color = 0;  ///< 0xRRGGBB
@@ -36,6 +36,7 @@ struct ColoredMesh {
 struct ColoredLines {
   std::uint32_t color = 0;  ///< 0xRRGGBB
   bool is_outline = false;  ///< around the present aspect, wider than the others
+  bool is_leader = false;   ///< from a label to what it names: before all else, as the label
   std::vector<Eigen::Vector3f> ends;
 };
 
@@ -79,31 +80,66 @@ void append(PicturePart&& part, PicturePart& to);
 /// orientation.
 inline std::string set_word(TaskSpace space) { return space == TaskSpace::SE3 ? "part" : "aspect"; }
 
+/// How the colours of aspects are changed on surfaces, which have shadows in rviz, so that they are lighter
+/// there than what lies in a plane.
+enum class Tint {
+  none,        ///< not at all
+  light,       ///< lighter
+  boundaries,  ///< lighter, and tinted by what the aspect ends at there
+};
+
 /// The colours of one picture.
 class AspectPaint {
  public:
-  AspectPaint(const AspectMap& map, bool tells_boundaries)
-      : colors_(aspect_colors(map.aspects())), tells_boundaries_(tells_boundaries) {}
+  AspectPaint(const AspectMap& map, Tint tint) : colors_(aspect_colors(map.aspects())), tint_(tint) {}
 
   Rgb color(int id) const { return colors_[static_cast<std::size_t>(id - 1)]; }
 
-  /// Of a surface, tinted by what the aspect ends at there. Surfaces have shadows, so that they are lighter
-  /// than what lies in a plane.
+  /// Of a surface.
   Rgb color(int id, const std::optional<BoundaryKind>& kind) {
-    const Rgb body = lightened(color(id), 0.25);
+    const Rgb body = tint_ == Tint::none ? color(id) : lightened(color(id), 0.25);
     if (!kind) return body;
     kinds_.insert(*kind);
-    return tells_boundaries_ ? mixed(body, lightened(boundary_color(*kind), 0.35), 0.55) : body;
+    return tint_ == Tint::boundaries ? mixed(body, lightened(boundary_color(*kind), 0.35), 0.55) : body;
   }
+
+  /// Of a surface where the map ends, not the aspect.
+  Rgb edge_color(int id) const { return tint_ == Tint::none ? color(id) : mixed(color(id), 0xDDDDDD, 0.55); }
 
   void meet(BoundaryKind kind) { kinds_.insert(kind); }
   const std::set<BoundaryKind>& kinds() const noexcept { return kinds_; }  ///< that were met
 
  private:
   std::vector<Rgb> colors_;  // by id - 1
-  bool tells_boundaries_;
+  Tint tint_;
   std::set<BoundaryKind> kinds_;
 };
+
+/// An area as a mesh; `place` says where a point of the plane is drawn [m].
+template <class Place>
+ColoredMesh flat_mesh(const PlaneArea& area, const Place& place) {
+  ColoredMesh mesh{area.aspect, area.color, true, {}, {}, {}};
+  for (const auto& polygon : area.polygons) {
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    for (const Eigen::Vector2d& corner : polygon) mesh.points.push_back(place(corner).template cast<float>());
+    for (std::uint32_t i = 2; i < polygon.size(); ++i)
+      mesh.triangles.push_back({first, first + i - 1, first + i});
+  }
+  mesh.normals.assign(mesh.points.size(), Eigen::Vector3f::UnitZ());
+  return mesh;
+}
+
+/// Boundaries in the colours of their kinds, likewise.
+template <class Place>
+void add_boundaries(const std::vector<BoundarySegment>& boundaries, const Place& place, AspectPaint& paint,
+                    PicturePart& part) {
+  for (const BoundaryCurves& curves : curves_of(boundaries)) {
+    paint.meet(curves.style->kind);
+    part.lines.push_back({curves.style->color, false, false, {}});
+    for (const Eigen::Vector2d& end : curves.ends)
+      part.lines.back().ends.push_back(place(end).template cast<float>());
+  }
+}
 
 /// What pictures of one map share, each made when it is first asked for: a section that is dragged makes no
 /// surface anew.
@@ -144,6 +180,18 @@ class SurfaceStore {
   std::optional<JointProjection> projection_;
 };
 
+/// Whether there are pictures of this map in joint space: with two and with three actuated joints.
+bool has_joint_space(const AspectMap& map) noexcept;
+
+/// A tile of joint space with edges of at most `side` around `center` [m].
+JointTile joint_tile(SurfaceStore& store, const WorkingMode& mode, const Eigen::Vector3d& center,
+                     double side);
+
+/// Aspects of the working mode of a tile in the space of the actuated joints, with its frame and the names of
+/// the joints.
+PicturePart joint_bodies(SurfaceStore& store, AspectPaint& paint, const std::vector<int>& ids,
+                         const JointTile& tile, std::size_t most_triangles, int cells);
+
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_RVIZ_DISPLAY_PAINTED_PARTS_H
+#endif  // PARALLEL_ASPECTS_DRAW_SCENE_BODIES_H

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rviz/display/surface_picture.h"
+#include "draw/scene/surface_picture.h"
 
-#include "ros/pictures/scene.h"
-#include "rviz/display/joint_painter.h"
-#include "rviz/display/workspace_painter.h"
+#include "draw/scene/robot_lines.h"
+#include "draw/scene/workspace_bodies.h"
+#include "model/angles.h"
 
-#include "draw/plane/palette.h"
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -19,7 +18,6 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr double pi = EIGEN_PI;
 constexpr std::size_t most_triangles = 120000;  // of all surfaces, so that software renders them
 constexpr int plane_cells = 300, tile_cells = 120;
 
@@ -68,20 +66,20 @@ class Composer {
         robot_(store.robot()),
         choice_(choice),
         present_(present),
-        paint_(store.map(), choice.tells_boundaries) {
+        paint_(store.map(), choice.tells_boundaries ? Tint::boundaries : Tint::light) {
     const TaskSpace space = robot_.task_space();
     picture_.radian = radian_of(robot_, choice);
     picture_.size = space == TaskSpace::SO3 ? 2.0 * pi * picture_.radian : robot_.size();
-    style_ = {picture_.radian, choice.aspect, choice.candidates, section(), std::nullopt, choice.names};
+    style_ = {picture_.radian, choice.aspect, choice.candidates, section(), std::nullopt, {}, choice.names};
     if (present) style_.robot = drawn_point(space, *present, picture_.radian);
+    if (present) style_.platform = platform_corners(robot_, *present);
     picture_.is_cut = style_.section.has_value();
     box_ = choice.robot;
   }
 
   SurfacePicture draw(const std::atomic<bool>& cancelled) {
     const std::vector<int> ids = shown_aspects(store_.map(), choice_);
-    WorkspacePainter painter(store_, paint_, style_);
-    picture_.moving = painter.draw(ids, most_triangles, plane_cells, cancelled);
+    picture_.moving = workspace_bodies(store_, paint_, style_, ids, most_triangles, plane_cells, cancelled);
     extend(box_, picture_.moving, placement(robot_, present_, picture_.radian));
     if (!box_.isEmpty()) {
       const AlignedBox3d here = box_;
@@ -155,8 +153,10 @@ class Composer {
     Vector3d center = top;
     center[up()] -= 0.62 * side;
     PoseTile tile{mode, scale, center - scale * box.center()};
-    WorkspacePainter painter(store_, paint_, style_);
-    PicturePart part = painter.draw(ids_of(mode), most_triangles / tiles, tile_cells, cancelled);
+    WorkspaceStyle style = style_;
+    style.platform.clear();  // it is not drawn there
+    PicturePart part =
+        workspace_bodies(store_, paint_, style, ids_of(mode), most_triangles / tiles, tile_cells, cancelled);
     move(part, scale, tile.offset);
     for (Label& label : part.labels) label.share = 0.6;
     Vector3d title = top;
@@ -170,9 +170,9 @@ class Composer {
                        std::size_t tiles) {
     Vector3d center = top;
     center[up()] -= 0.65 * side;
-    JointPainter painter(store_, paint_);
-    const JointTile tile = painter.tile(mode, center, side);
-    append(painter.draw(choice_.gallery ? ids_of(mode) : ids, tile, most_triangles / tiles, tile_cells),
+    const JointTile tile = joint_tile(store_, mode, center, side);
+    append(joint_bodies(store_, paint_, choice_.gallery ? ids_of(mode) : ids, tile, most_triangles / tiles,
+                        tile_cells),
            picture_.standing);
     picture_.joint_spaces.push_back(tile);
   }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ROS_LABELS_PLACED_LABELS_H
-#define PARALLEL_ASPECTS_ROS_LABELS_PLACED_LABELS_H
+#ifndef PARALLEL_ASPECTS_DRAW_SCENE_PLACED_LABELS_H
+#define PARALLEL_ASPECTS_DRAW_SCENE_PLACED_LABELS_H
 
+#include "draw/scene/robot_lines.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
@@ -12,6 +13,9 @@
 #include <vector>
 
 namespace parallel_aspects {
+
+/// Half the width of a letter, on average, over its height.
+inline constexpr double half_letter = 0.25;
 
 /// One line of words, about its middle.
 struct PlacedLabel {
@@ -28,10 +32,6 @@ void keep_apart(std::vector<PlacedLabel>& labels, double height, bool planar);
 /// Numbers are those of aspects.
 std::string candidate_name(std::size_t index);
 
-/// How large the robot is drawn: of SO3, whose model is a unit sphere, by the `radius` of the sphere that it
-/// takes [m].
-double drawn_size(const Manipulator& robot, double radius) noexcept;
-
 /// How high these names are, over the size of the robot as it is drawn.
 inline constexpr double candidate_name_height = 0.06;
 
@@ -43,4 +43,4 @@ std::vector<Eigen::Vector3d> candidate_places(const Manipulator& robot, const st
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ROS_LABELS_PLACED_LABELS_H
+#endif  // PARALLEL_ASPECTS_DRAW_SCENE_PLACED_LABELS_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rviz/display/painted_parts.h"
+#include "draw/scene/bodies.h"
 
 #include <cmath>
 #include <iterator>

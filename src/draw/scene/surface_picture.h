@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_SURFACE_PICTURE_H
-#define PARALLEL_ASPECTS_RVIZ_DISPLAY_SURFACE_PICTURE_H
+#ifndef PARALLEL_ASPECTS_DRAW_SCENE_SURFACE_PICTURE_H
+#define PARALLEL_ASPECTS_DRAW_SCENE_SURFACE_PICTURE_H
 
+#include "draw/scene/bodies.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "rviz/display/painted_parts.h"
 
 #include <Eigen/Geometry>
 
@@ -106,4 +106,4 @@ double section_value(TaskSpace space, const Pose& pose, std::size_t axis);
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_RVIZ_DISPLAY_SURFACE_PICTURE_H
+#endif  // PARALLEL_ASPECTS_DRAW_SCENE_SURFACE_PICTURE_H

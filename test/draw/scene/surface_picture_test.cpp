@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the display draws of a map, without rviz.
-#include "rviz/display/surface_picture.h"
+// What the display draws of a map.
+#include "draw/scene/surface_picture.h"
 
+#include "draw/plane/palette.h"
+#include "draw/scene/robot_lines.h"
+#include "draw/scene/workspace_bodies.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "rviz/display/picture_thread.h"
-#include "rviz/display/workspace_painter.h"
 
 #include <gtest/gtest.h>
 
-#include "draw/plane/palette.h"
 #include "support/robots/shipped.h"
 #include "support/slices.h"
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -274,24 +275,42 @@ TEST(SurfacePicture, TheGalleryHasEachWorkingModeOnceAndNoTwoTilesMeet) {
       EXPECT_EQ(box.intersects(beside), mode == other) << mode << " " << other;
 }
 
-// Which the robot leaves a little until the next one is there.
-TEST(ReceivedMap, AVolumeIsAskedForThePositionAtItsOwnOrientation) {
-  const test::Robot robot = test::shipped("stewart")->mapped_manipulator();
-  MapOptions options;
-  options.slice.emplace();
-  options.slice->moves = {true, true, true};
-  options.modes = working_modes(*robot);
-  options.resolution = 0.08 * robot->size();
-  ReceivedMap received;
-  received.map = test::map_of(robot, options);
-  ASSERT_FALSE(received.map->aspects().empty());
-  for (const Aspect& aspect : received.map->aspects()) {
-    Pose pose = aspect.deepest;
-    pose.orientation = Eigen::AngleAxisd(0.05, Eigen::Vector3d::UnitX()) * pose.orientation;
-    EXPECT_EQ(received.locate(pose, aspect.mode), aspect.id);
-    ReceivedMap sent = received;
-    sent.bytes = 1;
-    EXPECT_EQ(sent.locate(pose, aspect.mode), 0) << "a map that was sent is asked for the pose itself";
+// To the right and up, as whoever looks at rviz sees it.
+Eigen::Vector2d seen(const Eigen::Vector3d& way, bool planar) {
+  return planar ? Eigen::Vector2d(way.head<2>())
+                : Eigen::Vector2d(way.x(), way.z() * std::cos(view_pitch) + way.y() * std::sin(view_pitch));
+}
+
+// The platform hides what is upon it: words there are beside it, with a line to what they name.
+TEST(SurfacePicture, LabelsKeepOffThePlatform) {
+  for (const auto& [name, share] : {std::pair{"three_prr", 0.05}, {"linear_delta", 0.05}}) {
+    SurfaceStore store(coarse_map(name, share));
+    const Manipulator& robot = store.robot();
+    const bool planar = is_planar(robot.task_space());
+    const Pose pose = store.map().aspects().front().deepest;
+    PictureChoice choice = in_aspect(store.map(), store.map().aspects().front().id);
+    choice.shown = Shown::all;
+    const SurfacePicture picture = draw_surfaces(store, choice, pose, not_cancelled);
+    const Eigen::Vector3d point = drawn_point(robot.task_space(), pose, picture.radian);
+    const double height = id_height * robot.size();
+    ASSERT_FALSE(picture.moving.labels.empty());
+    constexpr int steps = 40;
+    for (int i = 0; i <= steps; ++i)
+      for (int k = 0; i + k <= steps; ++k) {
+        const Eigen::Vector3d corners[] = {robot.leg(0).anchor, robot.leg(1).anchor, robot.leg(2).anchor};
+        const Eigen::Vector3d on_platform =
+            pose.orientation * ((i * corners[0] + k * corners[1] + (steps - i - k) * corners[2]) / steps);
+        for (const Label& label : picture.moving.labels) {
+          const Eigen::Vector2d off = seen(on_platform + point - label.at.cast<double>(), planar);
+          const double half = 0.25 * height * static_cast<double>(label.text.size());
+          EXPECT_FALSE(std::abs(off.x()) < half && std::abs(off.y()) < 0.45 * height)
+              << name << ": " << label.text << " lies on the platform";
+        }
+      }
+    const auto leaders = std::find_if(picture.moving.lines.begin(), picture.moving.lines.end(),
+                                      [](const ColoredLines& lines) { return lines.is_leader; });
+    ASSERT_NE(leaders, picture.moving.lines.end()) << name;
+    EXPECT_EQ(leaders->ends.size() % 2, 0U);
   }
 }
 
