@@ -49,7 +49,6 @@ namespace parallel_aspects {}
 #include "parallel_aspects/motion/plan_path.h"
 #include "parallel_aspects/singularity/indices.h"
 #include "parallel_aspects/tracking/hazards.h"
-#include "parallel_aspects/tracking/joint_samples.h"
 #include "parallel_aspects/tracking/tracker.h"
 #include "parallel_aspects/urdf/mechanism.h"
 

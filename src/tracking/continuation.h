@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_TRACKING_CONTINUATION_H
 
 #include "parallel_aspects/model/manipulator.h"
-#include "parallel_aspects/tracking/joint_samples.h"
+#include "parallel_aspects/tracking/tracker.h"
 #include "tracking/pose_certifier.h"
 
 namespace parallel_aspects {

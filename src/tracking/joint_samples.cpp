@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tracking/joint_samples.h"
-
 #include "model/angles.h"
+#include "parallel_aspects/tracking/tracker.h"
 
 #include <algorithm>
 #include <cmath>

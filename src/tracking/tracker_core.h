@@ -2,7 +2,6 @@
 #ifndef PARALLEL_ASPECTS_TRACKING_TRACKER_CORE_H
 #define PARALLEL_ASPECTS_TRACKING_TRACKER_CORE_H
 
-#include "parallel_aspects/tracking/joint_samples.h"
 #include "parallel_aspects/tracking/tracker.h"
 #include "tracking/assembly_modes.h"
 #include "tracking/continuation.h"

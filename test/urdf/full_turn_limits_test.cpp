@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Limits of +-3.14 and the like, which people write for none.
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/tracking/joint_samples.h"
+#include "parallel_aspects/tracking/tracker.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ROS_JOINT_STATES_JOINT_MERGER_H
 
 #include "parallel_aspects/model/manipulator.h"
-#include "parallel_aspects/tracking/joint_samples.h"
+#include "parallel_aspects/tracking/tracker.h"
 #include "ros/joint_states/publisher_watch.h"
 
 #include <ros/time.h>
