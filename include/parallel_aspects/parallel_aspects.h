@@ -34,7 +34,6 @@ namespace parallel_aspects {}
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/aspects/regular_workspace.h"
-#include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/kinematics/kinematics.h"

@@ -6,7 +6,7 @@
 #include "aspects/roadmap/pose_sampler.h"
 #include "aspects/tree/slice_space.h"
 #include "interval/interval.h"
-#include "parallel_aspects/aspects/segment_certifier.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>

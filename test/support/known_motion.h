@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_TEST_SUPPORT_KNOWN_MOTION_H
 
 #include "motion/roadmap.h"
-#include "parallel_aspects/aspects/segment_certifier.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"
 

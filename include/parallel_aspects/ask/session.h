@@ -7,7 +7,6 @@
 #include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/motion/plan_path.h"
 
 #include <atomic>

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_MOTION_CHECK_TRAJECTORY_H
 
 #include "parallel_aspects/aspects/map_control.h"
-#include "parallel_aspects/aspects/segment_certifier.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"

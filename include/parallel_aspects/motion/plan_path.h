@@ -6,7 +6,6 @@
 #include "parallel_aspects/aspects/connectivity.h"
 #include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_OMPL_ASPECT_SPACE_INFORMATION_H
 
 #include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/aspects/segment_certifier.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"

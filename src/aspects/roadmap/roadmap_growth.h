@@ -5,7 +5,6 @@
 #include "aspects/components/disjoint_sets.h"
 #include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"
 

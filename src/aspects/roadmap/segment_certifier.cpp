@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/segment_certifier.h"
-
 #include "aspects/constraints/constraint_tests.h"
 #include "aspects/constraints/finite_lengths.h"
 #include "aspects/constraints/robot_points.h"
@@ -10,6 +8,7 @@
 #include "legs/spatial_leg.h"
 #include "legs/toleranced.h"
 #include "model/task_space_traits.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 
 #include <algorithm>
 #include <cmath>

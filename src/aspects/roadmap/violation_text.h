@@ -3,7 +3,6 @@
 #define PARALLEL_ASPECTS_ASPECTS_ROADMAP_VIOLATION_TEXT_H
 
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/aspects/segment_certifier.h"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_MOTION_CHECK_TRAJECTORY_SURVEY_H
 #define PARALLEL_ASPECTS_MOTION_CHECK_TRAJECTORY_SURVEY_H
 
-#include "parallel_aspects/aspects/segment_certifier.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/motion/check_trajectory.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "motion/plan/gate_route.h"
 #include "motion/plan/map_segments.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/segment_certifier.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/motion/plan_path.h"

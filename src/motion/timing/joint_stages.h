@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_MOTION_TIMING_JOINT_STAGES_H
 #define PARALLEL_ASPECTS_MOTION_TIMING_JOINT_STAGES_H
 
-#include "parallel_aspects/aspects/segment_certifier.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/motion/plan_path.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/plan/unresolved_text.h"
 
-#include "parallel_aspects/aspects/segment_certifier.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 
 #include <Eigen/Eigenvalues>
