@@ -37,8 +37,6 @@ namespace parallel_aspects {}
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "parallel_aspects/model/constraints.h"
-#include "parallel_aspects/model/leg.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"

@@ -2,7 +2,7 @@
 #include "ask/constraint_choice.h"
 
 #include "model/message_text.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <algorithm>
 #include <set>

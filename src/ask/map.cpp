@@ -7,7 +7,7 @@
 #include "model/message_text.h"
 #include "model/task_space_traits.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>

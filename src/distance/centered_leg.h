@@ -5,7 +5,7 @@
 #include "interval/interval.h"
 #include "legs/determinant.h"
 #include "legs/leg_rows.h"
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <array>
 

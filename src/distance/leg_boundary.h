@@ -5,7 +5,7 @@
 #include "distance/point_dual.h"
 #include "interval/interval.h"
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <array>
 #include <cstddef>

@@ -8,7 +8,7 @@
 #include "legs/link_points.h"
 #include "legs/planar_leg.h"
 #include "legs/spatial_leg.h"
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 
 namespace parallel_aspects {
 

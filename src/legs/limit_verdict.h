@@ -4,7 +4,7 @@
 
 #include "interval/half_turns.h"
 #include "interval/interval.h"
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <array>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "interval/scalar_range.h"
 #include "legs/limit_verdict.h"
 #include "legs/link_points.h"
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <optional>
 

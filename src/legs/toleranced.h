@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_LEGS_TOLERANCED_H
 
 #include "interval/interval.h"
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <array>
 

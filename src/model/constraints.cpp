@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/model/constraints.h"
-
 #include "model/angles.h"
 #include "model/message_text.h"
 #include "model/task_space_traits.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <algorithm>
 #include <cmath>

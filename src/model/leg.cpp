@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/model/leg.h"
-
 #include "model/overloaded.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include "interval/interval.h"
 #include "interval/rotation_rows.h"
 #include "model/task_space_traits.h"
-#include "parallel_aspects/model/leg.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 

@@ -3,7 +3,7 @@
 #include "interval/interval.h"
 #include "legs/planar_leg.h"
 #include "legs/spatial_leg.h"
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <gtest/gtest.h>
 

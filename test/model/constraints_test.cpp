@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/model/constraints.h"
-
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,6 @@
 #ifndef PARALLEL_ASPECTS_SINGULARITY_INDICES_H
 #define PARALLEL_ASPECTS_SINGULARITY_INDICES_H
 
-#include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 

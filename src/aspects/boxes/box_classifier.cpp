@@ -6,7 +6,7 @@
 #include "aspects/boxes/held_joint_chart.h"
 #include "aspects/boxes/hinge_chart.h"
 #include "aspects/boxes/slice_chart.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <array>
 

@@ -11,7 +11,7 @@
 #include "legs/leg_rows.h"
 #include "legs/limit_verdict.h"
 #include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <array>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include "interval/scalar_range.h"
 #include "legs/limit_verdict.h"
 #include "legs/link_points.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <array>

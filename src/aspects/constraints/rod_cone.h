@@ -5,8 +5,7 @@
 #include "interval/interval.h"
 #include "legs/limit_verdict.h"
 #include "legs/link_points.h"
-#include "parallel_aspects/model/constraints.h"
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,6 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_DESIGN_DESIGN_PARAMETERS_H
 #define PARALLEL_ASPECTS_ASPECTS_DESIGN_DESIGN_PARAMETERS_H
 
-#include "parallel_aspects/model/leg.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <cstddef>

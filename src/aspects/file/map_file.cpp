@@ -6,7 +6,7 @@
 #include "aspects/map/map_plan.h"
 #include "aspects/map/proof_revision.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/version.h"
 
 #include <algorithm>

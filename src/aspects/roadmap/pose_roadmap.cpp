@@ -5,7 +5,7 @@
 #include "aspects/roadmap/roadmap_growth.h"
 #include "aspects/roadmap/violation_text.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>

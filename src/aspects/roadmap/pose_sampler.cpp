@@ -2,7 +2,7 @@
 #include "aspects/roadmap/pose_sampler.h"
 
 #include "model/overloaded.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "interval/scalar_range.h"
 #include "model/angles.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "aspects/boxes/evaluated_legs.h"
 #include "interval/scalar_range.h"
 #include "legs/limit_verdict.h"
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #include "aspects/symmetry/near_symmetry.h"
 
 #include "model/overloaded.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <Eigen/LU>
 

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_SYMMETRY_NEAR_SYMMETRY_H
 
 #include "aspects/symmetry/rigid_symmetry.h"
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <Eigen/Core>

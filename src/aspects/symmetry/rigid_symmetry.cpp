@@ -2,7 +2,7 @@
 #include "aspects/symmetry/rigid_symmetry.h"
 
 #include "model/message_text.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -5,7 +5,6 @@
 #include "aspects/symmetry/rigid_symmetry.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <Eigen/Core>

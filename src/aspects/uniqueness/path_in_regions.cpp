@@ -2,7 +2,7 @@
 #include "aspects/uniqueness/path_in_regions.h"
 
 #include "interval/interval.h"
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <algorithm>
 #include <cmath>

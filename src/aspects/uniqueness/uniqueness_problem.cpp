@@ -5,7 +5,7 @@
 #include "model/angles.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/uniqueness.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <algorithm>
 #include <cmath>

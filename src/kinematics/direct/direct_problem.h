@@ -2,7 +2,6 @@
 #ifndef PARALLEL_ASPECTS_KINEMATICS_DIRECT_DIRECT_PROBLEM_H
 #define PARALLEL_ASPECTS_KINEMATICS_DIRECT_DIRECT_PROBLEM_H
 
-#include "parallel_aspects/model/leg.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 

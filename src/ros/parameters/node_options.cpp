@@ -6,7 +6,7 @@
 #include "aspects/map/map_plan.h"
 #include "model/message_text.h"
 #include "parallel_aspects/kinematics/kinematics.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <cmath>
 

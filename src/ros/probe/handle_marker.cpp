@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/linear_algebra.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "ros/pictures/marker_batch.h"
 #include "ros/probe/probe_handle.h"
 

@@ -3,7 +3,7 @@
 #include "model/message_text.h"
 #include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_CONFIG_CONSTRAINTS_CONFIG_H
 #define PARALLEL_ASPECTS_URDF_CONFIG_CONSTRAINTS_CONFIG_H
 
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"
 

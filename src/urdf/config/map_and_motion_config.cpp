@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/config/map_and_motion_config.h"
 
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "urdf/description/yaml_values.h"
 
 #include <yaml-cpp/yaml.h>

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_DESCRIPTION_TREE_H
 #define PARALLEL_ASPECTS_URDF_DESCRIPTION_TREE_H
 
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_READING_ROBOT_GRAPH_H
 #define PARALLEL_ASPECTS_URDF_READING_ROBOT_GRAPH_H
 
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"
 
 #include <Eigen/Geometry>

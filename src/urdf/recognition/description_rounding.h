@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_RECOGNITION_DESCRIPTION_ROUNDING_H
 #define PARALLEL_ASPECTS_URDF_RECOGNITION_DESCRIPTION_ROUNDING_H
 
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 
 namespace parallel_aspects {
 

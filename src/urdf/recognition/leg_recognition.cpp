@@ -2,7 +2,7 @@
 #include "urdf/recognition/leg_recognition.h"
 
 #include "model/linear_algebra.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "urdf/recognition/description_rounding.h"
 
 #include <Eigen/Geometry>

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_RECOGNITION_LEG_RECOGNITION_H
 #define PARALLEL_ASPECTS_URDF_RECOGNITION_LEG_RECOGNITION_H
 
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"
 #include "urdf/closing/chain.h"
 #include "urdf/recognition/platform_motion.h"

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_RECOGNITION_PASSIVE_CHAIN_H
 #define PARALLEL_ASPECTS_URDF_RECOGNITION_PASSIVE_CHAIN_H
 
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "urdf/closing/chain.h"
 #include "urdf/recognition/platform_motion.h"
 

@@ -2,8 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_RECOGNITION_PASSIVE_LIMITS_H
 #define PARALLEL_ASPECTS_URDF_RECOGNITION_PASSIVE_LIMITS_H
 
-#include "parallel_aspects/model/constraints.h"
-#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "urdf/closing/chain.h"
 #include "urdf/recognition/leg_recognition.h"
 #include "urdf/recognition/platform_motion.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/left_open.h"
 
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 #include "urdf/description/messages.h"
 #include "urdf/description/name_words.h"
 

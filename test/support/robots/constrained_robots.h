@@ -2,7 +2,6 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_CONSTRAINED_ROBOTS_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_CONSTRAINED_ROBOTS_H
 
-#include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <memory>
