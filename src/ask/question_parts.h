@@ -5,7 +5,6 @@
 #include "parallel_aspects/ask/connect.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/question.h"
-#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"

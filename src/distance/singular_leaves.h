@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_DISTANCE_SINGULAR_LEAVES_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <cstddef>

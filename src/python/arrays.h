@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_PYTHON_ARRAYS_H
 #define PARALLEL_ASPECTS_PYTHON_ARRAYS_H
 
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"

@@ -4,7 +4,7 @@
 
 #include "parallel_aspects/ask/session.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/urdf/mechanism.h"

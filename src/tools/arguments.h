@@ -3,7 +3,6 @@
 #define PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H
 
 #include "parallel_aspects/ask/question.h"
-#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/kinematics/kinematics.h"

@@ -98,7 +98,7 @@ inline const Strings rooms{"model",
                            "rviz/panel"};
 
 inline constexpr std::size_t max_files_in_a_folder = 30;
-inline constexpr std::size_t max_public_headers = 37;
+inline constexpr std::size_t max_public_headers = 35;
 
 inline bool starts_with(const std::string& text, const std::string& start) {
   return text.rfind(start, 0) == 0;

@@ -4,7 +4,6 @@
 
 #include "parallel_aspects/ask/question.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/motion/plan_path.h"

@@ -2,8 +2,6 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_ASPECT_MAP_H
 #define PARALLEL_ASPECTS_ASPECTS_ASPECT_MAP_H
 
-#include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"

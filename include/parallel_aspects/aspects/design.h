@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_DESIGN_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/regular_workspace.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"

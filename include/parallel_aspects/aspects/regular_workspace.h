@@ -3,8 +3,6 @@
 #define PARALLEL_ASPECTS_ASPECTS_REGULAR_WORKSPACE_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"

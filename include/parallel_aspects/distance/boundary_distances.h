@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_DISTANCE_BOUNDARY_DISTANCES_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_MOTION_CHECK_TRAJECTORY_H
 #define PARALLEL_ASPECTS_MOTION_CHECK_TRAJECTORY_H
 
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"

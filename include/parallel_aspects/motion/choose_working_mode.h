@@ -3,9 +3,7 @@
 #define PARALLEL_ASPECTS_MOTION_CHOOSE_WORKING_MODE_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/connectivity.h"
-#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/kinematics.h"

@@ -4,7 +4,7 @@
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/connectivity.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_OMPL_ASPECT_SPACE_INFORMATION_H
 #define PARALLEL_ASPECTS_OMPL_ASPECT_SPACE_INFORMATION_H
 
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"

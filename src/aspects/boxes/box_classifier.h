@@ -5,7 +5,6 @@
 #include "aspects/tree/leaf_state.h"
 #include "aspects/tree/monotonicity.h"
 #include "aspects/tree/pose_space.h"
-#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"

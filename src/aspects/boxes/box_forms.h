@@ -10,7 +10,7 @@
 #include "interval/nonsingular.h"
 #include "legs/leg_rows.h"
 #include "legs/limit_verdict.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <array>

@@ -7,7 +7,7 @@
 #include "aspects/tree/pose_space.h"
 #include "interval/interval.h"
 #include "legs/limit_verdict.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <algorithm>
 #include <array>

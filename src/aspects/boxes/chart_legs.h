@@ -8,7 +8,7 @@
 #include "interval/rotation_rows.h"
 #include "legs/planar_leg.h"
 #include "legs/spatial_leg.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <algorithm>

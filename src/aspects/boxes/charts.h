@@ -6,7 +6,7 @@
 #include "aspects/tree/pose_space.h"
 #include "interval/half_turns.h"
 #include "legs/leg_rows.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <optional>

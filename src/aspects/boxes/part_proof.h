@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_PART_PROOF_H
 
 #include "aspects/boxes/box_classifier.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <cstddef>
 #include <optional>

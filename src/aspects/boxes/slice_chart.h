@@ -6,7 +6,6 @@
 #include "interval/half_turns.h"
 #include "legs/leg_rows.h"
 #include "legs/toleranced.h"
-#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>

@@ -5,7 +5,7 @@
 #include "aspects/boxes/box_classifier.h"
 #include "aspects/boxes/box_slopes.h"
 #include "interval/interval.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "aspects/components/sign_graph.h"
 #include "aspects/symmetry/map_symmetry.h"
 #include "aspects/tree/pose_tree.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -8,7 +8,7 @@
 #include "aspects/components/sign_graph.h"
 #include "aspects/star_sets/star_finder.h"
 #include "aspects/tree/pose_tree.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include "aspects/boxes/box_classifier.h"
 #include "aspects/components/components.h"
 #include "aspects/tree/pose_tree.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <cstdint>
 #include <memory>

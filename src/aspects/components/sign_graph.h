@@ -9,7 +9,7 @@
 #include "aspects/components/leaf_numbers.h"
 #include "aspects/tree/neighbour_leaves.h"
 #include "aspects/tree/pose_tree.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <cstddef>
 #include <cstdint>

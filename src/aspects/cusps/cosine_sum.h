@@ -6,7 +6,7 @@
 #include "interval/half_turns.h"
 #include "interval/interval.h"
 #include "legs/planar_leg.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <cstddef>

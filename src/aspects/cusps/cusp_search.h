@@ -5,8 +5,7 @@
 #include "aspects/cusps/cusp_trace.h"
 #include "aspects/cusps/cusp_tube.h"
 #include "aspects/cusps/held_slice.h"
-#include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <cstddef>
 #include <vector>

@@ -3,8 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_CUSPS_CUSP_TRACE_H
 
 #include "aspects/cusps/cusp_tube.h"
-#include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <cstddef>

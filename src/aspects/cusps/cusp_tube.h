@@ -7,7 +7,7 @@
 #include "aspects/zeros/krawczyk.h"
 #include "interval/interval.h"
 #include "legs/limit_verdict.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <cstddef>

@@ -6,7 +6,6 @@
 #include "interval/interval.h"
 #include "legs/limit_verdict.h"
 #include "legs/spatial_leg.h"
-#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"

@@ -6,7 +6,6 @@
 #include "aspects/cusps/jet.h"
 #include "interval/interval.h"
 #include "legs/planar_leg.h"
-#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 

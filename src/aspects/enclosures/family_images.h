@@ -6,7 +6,7 @@
 #include "aspects/cusps/held_slice.h"
 #include "aspects/cusps/planar_held_slice.h"
 #include "aspects/enclosures/singular_images.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_ENCLOSURES_SINGULAR_IMAGES_H
 
 #include "interval/interval.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <cstddef>

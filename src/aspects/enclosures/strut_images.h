@@ -5,7 +5,7 @@
 #include "aspects/cusps/strut_slice.h"
 #include "aspects/enclosures/singular_images.h"
 #include "model/angles.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <optional>
 

@@ -2,7 +2,6 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_FILE_MAP_KEY_H
 #define PARALLEL_ASPECTS_ASPECTS_FILE_MAP_KEY_H
 
-#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"

@@ -5,7 +5,7 @@
 #include "aspects/map/gate_crossings.h"
 #include "aspects/map/map_contents.h"
 #include "parallel_aspects/aspects/connectivity.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <cstddef>
 #include <vector>

@@ -6,7 +6,7 @@
 #include "aspects/symmetry/map_symmetry.h"
 #include "aspects/tree/pose_space.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include "aspects/persistence/cell_owners.h"
 #include "aspects/persistence/index_cells.h"
 #include "parallel_aspects/aspects/connectivity.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <cstddef>
 #include <map>

@@ -6,7 +6,7 @@
 #include "aspects/tree/pose_tree.h"
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/connectivity.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/persistence/index_cells.h"
 #include "aspects/tree/pose_tree.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <cstddef>
 #include <map>

@@ -7,7 +7,7 @@
 #include "aspects/solutions/actuated_space.h"
 #include "aspects/solutions/solution_equations.h"
 #include "aspects/solutions/solution_regions.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <cstddef>
 #include <functional>

@@ -8,8 +8,7 @@
 #include "aspects/solutions/slice_equations.h"
 #include "aspects/solutions/solution_equations.h"
 #include "aspects/solutions/value_grid.h"
-#include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_ROADMAP_POSE_SAMPLER_H
 #define PARALLEL_ASPECTS_ASPECTS_ROADMAP_POSE_SAMPLER_H
 
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 

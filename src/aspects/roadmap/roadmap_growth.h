@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_ROADMAP_ROADMAP_GROWTH_H
 
 #include "aspects/components/disjoint_sets.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"

@@ -5,7 +5,7 @@
 #include "aspects/map/map_plan.h"
 #include "aspects/tree/pose_tree.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <cstddef>
 #include <cstdint>

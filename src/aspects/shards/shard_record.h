@@ -5,7 +5,7 @@
 #include "aspects/file/bytes.h"
 #include "aspects/shards/shard.h"
 #include "aspects/tree/pose_tree.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <cstddef>

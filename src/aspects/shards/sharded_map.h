@@ -6,7 +6,7 @@
 #include "aspects/shards/shard.h"
 #include "aspects/shards/shard_record.h"
 #include "aspects/shards/shard_rounds.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <cstddef>
 #include <functional>

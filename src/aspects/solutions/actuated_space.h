@@ -5,8 +5,7 @@
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/enclosures/singular_images.h"
 #include "aspects/solutions/solution_equations.h"
-#include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <cstddef>

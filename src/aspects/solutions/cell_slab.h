@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_CELL_SLAB_H
 
 #include "interval/interval.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 

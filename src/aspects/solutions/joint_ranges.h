@@ -4,7 +4,6 @@
 
 #include "aspects/cusps/held_slice.h"
 #include "aspects/enclosures/singular_images.h"
-#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 

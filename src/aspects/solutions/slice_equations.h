@@ -6,7 +6,6 @@
 #include "aspects/cusps/planar_held_slice.h"
 #include "aspects/solutions/solution_equations.h"
 #include "interval/interval.h"
-#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 

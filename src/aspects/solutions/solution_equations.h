@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_SOLUTION_EQUATIONS_H
 
 #include "aspects/zeros/krawczyk.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <cstddef>

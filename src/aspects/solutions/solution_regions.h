@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_SOLUTIONS_SOLUTION_REGIONS_H
 
 #include "aspects/solutions/actuated_space.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <optional>
 #include <vector>

@@ -5,7 +5,6 @@
 #include "aspects/cusps/strut_slice.h"
 #include "aspects/solutions/solution_equations.h"
 #include "interval/interval.h"
-#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"

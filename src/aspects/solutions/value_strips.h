@@ -5,7 +5,7 @@
 #include "aspects/cusps/held_slice.h"
 #include "aspects/solutions/joint_ranges.h"
 #include "interval/interval.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <functional>

@@ -10,7 +10,7 @@
 #include "interval/scalar_range.h"
 #include "legs/determinant.h"
 #include "legs/leg_rows.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <cstddef>

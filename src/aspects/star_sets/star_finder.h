@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_STAR_SETS_STAR_FINDER_H
 
 #include "aspects/boxes/box_classifier.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 

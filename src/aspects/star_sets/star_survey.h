@@ -4,7 +4,7 @@
 
 #include "aspects/star_sets/star_conditions.h"
 #include "aspects/star_sets/star_coordinates.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <cstddef>

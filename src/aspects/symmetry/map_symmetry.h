@@ -6,7 +6,7 @@
 #include "aspects/symmetry/rigid_symmetry.h"
 #include "aspects/tree/leaf_state.h"
 #include "aspects/tree/pose_tree.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 

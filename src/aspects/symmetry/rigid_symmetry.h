@@ -4,7 +4,7 @@
 
 #include "aspects/tree/pose_space.h"
 #include "aspects/tree/pose_tree.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <Eigen/Core>

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_SYMMETRY_ROBOT_SYMMETRY_H
 
 #include "aspects/symmetry/rigid_symmetry.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/manipulator.h"
 

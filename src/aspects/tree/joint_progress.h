@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_TREE_JOINT_PROGRESS_H
 #define PARALLEL_ASPECTS_ASPECTS_TREE_JOINT_PROGRESS_H
 
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <atomic>
 #include <cstddef>

@@ -2,7 +2,6 @@
 #include "parallel_aspects/aspects/map_slice.h"
 
 #include "model/message_text.h"
-#include "parallel_aspects/aspects/box.h"
 
 #include <algorithm>
 #include <array>

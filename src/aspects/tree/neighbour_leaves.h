@@ -4,8 +4,7 @@
 
 #include "aspects/tree/pose_space.h"
 #include "aspects/tree/pose_tree.h"
-#include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <cstddef>
 #include <optional>

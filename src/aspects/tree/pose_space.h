@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_TREE_POSE_SPACE_H
 #define PARALLEL_ASPECTS_ASPECTS_TREE_POSE_SPACE_H
 
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "aspects/tree/leaf_state.h"
 #include "aspects/tree/pose_space.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <algorithm>
 #include <array>

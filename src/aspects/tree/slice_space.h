@@ -3,7 +3,6 @@
 #define PARALLEL_ASPECTS_ASPECTS_TREE_SLICE_SPACE_H
 
 #include "aspects/tree/pose_space.h"
-#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
 

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_MODE_UNIQUENESS_H
 #define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_MODE_UNIQUENESS_H
 
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 
 #include <cstddef>

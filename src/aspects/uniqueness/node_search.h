@@ -3,8 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_NODE_SEARCH_H
 
 #include "aspects/cusps/strut_slice.h"
-#include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
 #include <vector>

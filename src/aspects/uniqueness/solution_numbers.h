@@ -7,7 +7,6 @@
 #include "aspects/solutions/joint_ranges.h"
 #include "aspects/solutions/slice_equations.h"
 #include "aspects/solutions/value_strips.h"
-#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/kinematics/kinematics.h"

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_STRUT_UNIQUENESS_H
 
 #include "aspects/cusps/cusp_search.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 
 #include <vector>

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_WORKSPACE_SHAPE_ROOM_H
 
 #include "aspects/map/map_contents.h"
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/regular_workspace.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_MOTION_CHECK_SEGMENT_TIMES_H
 
 #include "motion/check/check_text.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/problems.h"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 
 #include "motion/plan/map_segments.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/pose.h"

@@ -4,7 +4,7 @@
 
 #include "motion/plan/map_segments.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/motion/plan_path.h"
 

@@ -6,7 +6,7 @@
 #include "motion/plan/map_segments.h"
 #include "motion/plan/path_shape.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/model/pose.h"
 

@@ -4,7 +4,7 @@
 
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/map/map_contents.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_MOTION_PLAN_UNRESOLVED_TEXT_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_DISPLAY_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_DISPLAY_H
 
-#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "ros/monitor/robot_monitor.h"
 #include "ros/parameters/load_options.h"

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_CONFIG_MAP_AND_MOTION_CONFIG_H
 #define PARALLEL_ASPECTS_URDF_CONFIG_MAP_AND_MOTION_CONFIG_H
 
-#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"
 
