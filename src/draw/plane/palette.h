@@ -4,7 +4,7 @@
 
 #include "draw/plane/map_pictures.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <cstddef>
 #include <cstdint>
