@@ -199,7 +199,8 @@ class Writer {
             "loops were closed to find the mechanism. Where its actuated joints do not assemble within "
             "start/tolerance of it, by default 1/20 of the robot's size, the assembly mode is not known. "
             "Coordinates: " +
-                joined(coordinate_names(*draft_.task_space)) + " [m, rad].");
+                joined(coordinate_names(*draft_.task_space)) +
+                (has_hinges(*draft_.task_space) ? " [rad]." : " [m, rad]."));
     entry("pose", "[" + values + "]");
   }
 
