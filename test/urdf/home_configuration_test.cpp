@@ -68,8 +68,9 @@ TEST(HomeConfiguration, IsNoStartBeyondReach) {
 }
 
 TEST(HomeConfiguration, IsWithinTheLimitsOfShippedRobots) {
-  for (const char* name : {"agile_eye", "bipod", "delta", "five_bar", "hexa", "linear_delta", "six_pus",
-                           "spherical_3rrr", "stewart", "three_prr", "three_rpr", "three_rrr"}) {
+  for (const char* name :
+       {"agile_eye", "bipod", "delta", "five_bar", "hexa", "linear_delta", "six_pus", "spherical_3rrr",
+        "stewart", "three_prr", "three_rpr", "three_rrr", "ankle", "skew_wrist", "tilt_table", "four_bar"}) {
     SCOPED_TRACE(name);
     const auto mechanism = test::load(test::shipped_text(name));
     expect_within_limits(*mechanism, mechanism->home());

@@ -91,7 +91,7 @@ TEST_P(PassiveJointsOf, ContradictABiasedEncoder) {
 INSTANTIATE_TEST_SUITE_P(ShippedRobots, PassiveJointsOf,
                          testing::Values("five_bar", "bipod", "three_rpr", "three_rrr", "three_prr", "delta",
                                          "linear_delta", "agile_eye", "spherical_3rrr", "stewart", "hexa",
-                                         "six_pus"),
+                                         "six_pus", "ankle", "skew_wrist", "tilt_table", "four_bar"),
                          [](const testing::TestParamInfo<const char*>& tested) {
                            return std::string(tested.param);
                          });

@@ -204,6 +204,10 @@ SharedMechanism agile_eye();       ///< SO3, the Agile Eye
 SharedMechanism spherical_3rrr();  ///< SO3, three spherical cranks
 SharedMechanism hexa();            ///< SE3, six cranks
 SharedMechanism six_pus();         ///< SE3, six sliders
+SharedMechanism ankle();           ///< R2, two cranks, axes that lie apart
+SharedMechanism skew_wrist();      ///< R2, two cranks, axes at 60 degrees
+SharedMechanism tilt_table();      ///< R2, two struts and a universal joint
+SharedMechanism four_bar();        ///< R1, a crank
 SharedMechanism stewart();         ///< SE3, the Stewart platform, six struts
 
 }  // namespace parallel_aspects::models
