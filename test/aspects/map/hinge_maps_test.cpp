@@ -19,7 +19,7 @@ namespace {
 
 using Robot = std::shared_ptr<const Manipulator>;
 
-std::shared_ptr<const AspectMap> map_of(const Robot& robot, double resolution) {
+std::shared_ptr<const AspectMap> hinge_map(const Robot& robot, double resolution) {
   MapOptions options;
   options.resolution = resolution;
   return compute_aspect_map(robot, options).map;
@@ -40,7 +40,7 @@ TEST(AnkleMap, HasTheSixteenAspectsOfAnIndependentFlood) {
       {"(+,+)+", {1.1982, 1.0460}}, {"(+,+)-", {1.2500, 1.1704}}, {"(-,+)+", {1.1973, 1.0462}},
       {"(-,+)-", {1.2497, 1.1713}}, {"(+,-)+", {1.1977, 1.0441}}, {"(+,-)-", {1.2518, 1.1709}},
       {"(-,-)+", {1.1968, 1.0443}}, {"(-,-)-", {1.2516, 1.1718}}};
-  const auto map = map_of(test::ankle(), 0.0125);
+  const auto map = hinge_map(test::ankle(), 0.0125);
   ASSERT_TRUE(map);
   EXPECT_EQ(map->aspects().size(), 16U);
   EXPECT_EQ(map->proved_count(), 16U);
@@ -59,7 +59,7 @@ TEST(AnkleMap, HasTheSixteenAspectsOfAnIndependentFlood) {
 }
 
 TEST(FourBarMap, HasFourAspectsOfKnownWidths) {
-  const auto map = map_of(test::four_bar(), 0.0002);
+  const auto map = hinge_map(test::four_bar(), 0.0002);
   ASSERT_TRUE(map);
   EXPECT_EQ(map->proved_count(), 4U);
   const auto found = measures(*map);
@@ -67,7 +67,7 @@ TEST(FourBarMap, HasFourAspectsOfKnownWidths) {
   EXPECT_NEAR(found.at("(+)+").at(0), 2.6811, 2e-4);
   EXPECT_NEAR(found.at("(-)+").at(0), 3.6021, 2e-4);
   EXPECT_NEAR(found.at("(-)-").at(0), 2.6811, 2e-4);
-  const auto other = map_of(test::four_bar(0.3, 0.4, 0.1, 0.38), 0.0002);
+  const auto other = hinge_map(test::four_bar(0.3, 0.4, 0.1, 0.38), 0.0002);
   ASSERT_EQ(other->aspects().size(), 4U);
   for (const Aspect& aspect : other->aspects()) EXPECT_NEAR(aspect.measure, 0.7149, 2e-4);
 }
@@ -121,7 +121,7 @@ class OtherKinematics {
 /// The signs at the middles of cells around the torus.
 std::vector<int> signs_of(const Manipulator& robot, const WorkingMode& mode, int cells) {
   const OtherKinematics kinematics(robot);
-  const auto angle = [cells](int i) { return 2.0 * EIGEN_PI * (i + 0.5) / cells - EIGEN_PI; };
+  const auto angle = [cells](int i) -> double { return 2.0 * EIGEN_PI * (i + 0.5) / cells - EIGEN_PI; };
   std::vector<int> signs;
   for (int i = 0; i < cells; ++i)
     for (int k = 0; k < cells; ++k) signs.push_back(kinematics.sign(mode, {angle(i), angle(k)}));
@@ -160,7 +160,7 @@ std::vector<int> flood(const std::vector<int>& signs, int sign, int cells) {
 void expect_like_flood(const Robot& robot, double resolution) {
   constexpr int cells = 240;
   constexpr double cell = (2.0 * EIGEN_PI / cells) * (2.0 * EIGEN_PI / cells), sliver = 0.03;
-  const auto map = map_of(robot, resolution);
+  const auto map = hinge_map(robot, resolution);
   ASSERT_TRUE(map);
   const auto found = measures(*map);
   for (const WorkingMode& mode : working_modes(*robot)) {
@@ -194,7 +194,7 @@ TEST(HingeMaps, LocatePosesByTheirSigns) {
   for (const TaskSpace space : {TaskSpace::R1, TaskSpace::R2})
     for (const test::ActuationKind kind : test::all_actuation_kinds) {
       const Robot robot = random.robot(space, kind);
-      const auto map = map_of(robot, space == TaskSpace::R1 ? 0.01 : 0.05);
+      const auto map = hinge_map(robot, space == TaskSpace::R1 ? 0.01 : 0.05);
       ASSERT_TRUE(map);
       for (int i = 0; i < 2000; ++i) {
         const Pose pose = random.pose(robot->motions());
@@ -219,7 +219,7 @@ TEST(HingeMaps, KeepTheLimitsOfTheChain) {
   ManipulatorDescription description = test::ankle()->description();
   description.constraints.hinge_limits = {{"pitch", 0, {-0.8, 0.5}}, {"roll", 1, {-0.4, 0.4}}};
   const auto robot = std::make_shared<const Manipulator>(description);
-  const auto map = map_of(robot, 0.0125);
+  const auto map = hinge_map(robot, 0.0125);
   ASSERT_TRUE(map);
   EXPECT_EQ(map->aspects().size(), map->proved_count());
   test::RandomRobots random(4203);
