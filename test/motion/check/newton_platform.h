@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <variant>
+#include <stdexcept>
 #include <vector>
 
 namespace parallel_aspects::test {
@@ -106,6 +107,10 @@ class Platform {
       case TaskSpace::T2:
       case TaskSpace::T3:
         v.head(n_) = step;
+        break;
+      case TaskSpace::R1:
+      case TaskSpace::R2:
+        throw std::logic_error("platforms on hinges are not looked at here");
     }
     position += v;
     if (w.norm() > 0) turn = Eigen::AngleAxis<Number>(w.norm(), w.normalized()).toRotationMatrix() * turn;
