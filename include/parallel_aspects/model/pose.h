@@ -45,10 +45,13 @@ struct Motions {
   TaskSpace space = TaskSpace::T2;  ///< which motions
   HingePair hinges{};               ///< of R2
 
-  Motions() = default;                                   ///< T2
-  Motions(TaskSpace of) noexcept : space(of) {}          // NOLINT: all that most task spaces need
-  Motions(TaskSpace of, const HingePair& pair) noexcept  ///< of R2
-      : space(of), hinges(pair) {}
+  Motions() = default;  ///< T2
+
+  /// Any task space but R2.
+  Motions(TaskSpace of) noexcept : space(of) {}  // NOLINT: a task space alone says it
+
+  /// R2.
+  Motions(TaskSpace of, const HingePair& pair) noexcept : space(of), hinges(pair) {}
 };
 
 /// Number of degrees of freedom: 1, 2, 3, 3, 3, 6, 1, 2. Equals the number of legs of a fully parallel
