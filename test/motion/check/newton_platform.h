@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <variant>
 #include <stdexcept>
+#include <variant>
 #include <vector>
 
 namespace parallel_aspects::test {
