@@ -96,7 +96,9 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     ResolvedConfig placed = changed;
     place_at_zero(*changed_tree, placed.closures);
     const auto contents = recognise_in(changed_tree, placed, ignored);
-    return contents ? std::optional<std::string>(name(contents->manipulator->task_space())) : std::nullopt;
+    if (!contents || contents->manipulator->task_space() == TaskSpace::R1)
+      return std::optional<std::string>();
+    return std::optional<std::string>(name(contents->manipulator->task_space()));
   };
   check_ends(tree, resolved, files, search, attempt);
   const auto meant = drawn_open(*tree, resolved, files);
@@ -106,6 +108,10 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     auto contents =
         recognise_in(tree, ends_meet ? *meant : resolved, meant && !ends_meet ? of_written : problems);
     if (!contents) continue;
+    if (!search.takes_one_hinge && contents->manipulator->task_space() == TaskSpace::R1)
+      throw InvalidDescription(
+          {files.urdf + " is a linkage of one degree of freedom, as a four-bar; write a YAML that states "
+                        "which of its links is the platform."});
     if (search.looks_for_remedies) {
       const std::size_t before = contents->notes.size();
       const Subject subject(tree, resolved, files);

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/ankle_formulas.h"
+#include "support/robots/ankle_formulas.h"
 #include "support/robots/robots.h"
 #include <array>
 #include <cmath>

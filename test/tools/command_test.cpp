@@ -174,10 +174,10 @@ TEST_F(Command, PosesBeyondALimitSayByHowMuch) {
 }
 
 TEST_F(Command, UnknownRobotIsAnsweredWithTheKnownOnes) {
-  const Outcome outcome = run({"describe", "four_bar"});
+  const Outcome outcome = run({"describe", "fife_bar"});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
   EXPECT_EQ(outcome.output, "");
-  EXPECT_NE(outcome.messages.find("'four_bar'"), std::string::npos);
+  EXPECT_NE(outcome.messages.find("'fife_bar'"), std::string::npos);
   EXPECT_NE(outcome.messages.find("five_bar"), std::string::npos);
 }
 

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/ankle_formulas.h"
+#include "support/robots/ankle_formulas.h"
 #include "support/robots/robots.h"
 #include <algorithm>
 #include <array>

@@ -122,7 +122,8 @@ TEST(FourBar, IsRefused) {
       test::fixed_joint("rocker", "end", "xyz=\"2 0 0\"") + "</robot>";
   const Problems expected{
       "robot.urdf is a linkage of one degree of freedom, as a four-bar, and its operational_point 'coupler' "
-      "is not on a slide; of those only a platform on a slide, which one leg moves (T1), is treated."};
+      "is on neither; of those only a platform on a slide (T1) or on a hinge (R1) of the base, which one leg "
+      "moves, is treated."};
   EXPECT_EQ(test::refusal(urdf,
                           "mechanism: {operational_point: coupler, actuated_joints: [drive], closures: "
                           "[{frames: [tip, end], type: point}]}"),

@@ -121,9 +121,6 @@ class SegmentCertifier {
   NeighbourhoodProof prove_around(const Pose& pose, double displacement, double angle,
                                   const WorkingMode& mode, Reach reach) const noexcept;
 
-  SegmentProof march(const Pose& from, const Pose& to, const WorkingMode& mode, int sign, int max_parts,
-                     double first_step) const noexcept;
-
   std::shared_ptr<const Manipulator> manipulator_;
   std::shared_ptr<const Parts> parts_;
 };

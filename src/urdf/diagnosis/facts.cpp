@@ -21,7 +21,8 @@ constexpr double printed_axis = 1e-4;  // digits of directions in messages
 // So many actuated joints are not meant to move one degree of freedom, whatever closures leave.
 constexpr std::size_t drives_of_more = 3;
 
-constexpr const char* treated = "only a platform on a slide, which one leg moves (T1), is treated.";
+constexpr const char* treated =
+    "only a platform on a slide (T1) or on a hinge (R1) of the base, which one leg moves, is treated.";
 
 // Where it is open which joints are actuated: the closures that leave the mechanism one degree of freedom by
 // their axes, if with balls in their place it has as many as some robot.
@@ -65,9 +66,6 @@ class OneFreedom {
     }
     if (resolved_.actuated_joints.variables.size() >= drives_of_more) return std::nullopt;
     const std::string point = operational_point_text(*tree_, platform_, files_);
-    if (const auto joint = turning_joint())
-      return files_.urdf + " turns " + point + " about joint '" + tree_->joints[*joint].name +
-             "' alone, as a boom that a piston moves; of linkages of one degree of freedom " + treated;
     if (const auto slide = slide_below_platform())
       return legs_at_platform() < 2
                  ? std::nullopt
@@ -75,7 +73,7 @@ class OneFreedom {
                                               point + " moves on slide '" + tree_->joints[*slide].name +
                                               "' and is held by several legs; of those " + treated);
     return files_.urdf + " is a linkage of one degree of freedom, as a four-bar, and its " + point +
-           " is not on a slide; of those " + treated;
+           " is on neither; of those " + treated;
   }
 
  private:
@@ -99,15 +97,6 @@ class OneFreedom {
     const bool is_one = joint && tree_->joints[*joint].motion == motion &&
                         body_of(*tree_, tree_->joints[*joint].parent) == body_of(*tree_, resolved_.base);
     return is_one ? joint : std::nullopt;
-  }
-
-  // That carries the platform on the base, in a loop with a slide.
-  std::optional<std::size_t> turning_joint() const {
-    const bool any_slide =
-        std::any_of(tree_->joints.begin(), tree_->joints.end(), [this](const TreeJoint& joint) {
-          return joint.motion == JointMotion::prismatic && balls_.in_loop()[*joint.variable];
-        });
-    return any_slide ? joint_on_base(JointMotion::revolute) : std::nullopt;
   }
 
   std::optional<std::size_t> slide_below_platform() const { return joint_on_base(JointMotion::prismatic); }

@@ -479,6 +479,7 @@ std::shared_ptr<const Mechanism> tried(const SetupSubject& subject, const SetupD
                                        bool looks_for_remedies, Problems& problems, bool* explained) {
   LoadSearch search;
   search.looks_for_remedies = looks_for_remedies;
+  search.takes_one_hinge = false;
   search.as_options = true;
   search.checkpoint = [&] {
     if (subject.control.is_over()) throw SearchIsLate{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TEST_SUPPORT_ANKLE_FORMULAS_H
-#define PARALLEL_ASPECTS_TEST_SUPPORT_ANKLE_FORMULAS_H
+#ifndef PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_ANKLE_FORMULAS_H
+#define PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_ANKLE_FORMULAS_H
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -93,4 +93,4 @@ inline double distance(const Vector2d& one, const Vector2d& other) {
 
 }  // namespace parallel_aspects::test::ankle_formulas
 
-#endif  // PARALLEL_ASPECTS_TEST_SUPPORT_ANKLE_FORMULAS_H
+#endif  // PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_ANKLE_FORMULAS_H
