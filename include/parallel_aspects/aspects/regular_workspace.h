@@ -75,8 +75,9 @@ Problems problems_of(const Manipulator& manipulator, const std::optional<MapSlic
 /// The largest regular shape in each of these aspects of a map, by their ids, in their order. There must be
 /// no `problems_of` the question. Leaves of the map that are undecided are divided where that matters, for
 /// this question alone; those that stay undecided count as usable for the upper bounds. Sizes
-/// below a hundredth of the largest are not distinguished. Shapes lie in the region of the map. Nothing when
-/// cancelled.
+/// below a hundredth of the largest are not distinguished. Shapes lie in the region of the map. Of angles, in
+/// R1 and R2, shapes from -pi to pi are looked at; the upper bounds hold for those that go on beyond, too.
+/// Nothing when cancelled.
 std::optional<std::vector<RegularWorkspace>> find_regular_workspaces(const AspectMap& map,
                                                                      const std::vector<int>& aspects,
                                                                      const WorkspaceQuestion& question,

@@ -159,7 +159,10 @@ class Survey {
     if (is_cancelled(options_.control)) return std::nullopt;
     if (options_.control.progress) options_.control.progress(1.0);
     if (unit_ != 1.0)
-      for (RegularWorkspace& each : found_) take_unit(each);
+      for (std::size_t place = 0; place < found_.size(); ++place) {
+        take_unit(found_[place]);
+        if (may_wrap(place)) allow_for_wrap(found_[place]);
+      }
     return found_;
   }
 
@@ -177,6 +180,31 @@ class Survey {
     for (double& each : found.center) each *= unit_;
     found.lower = std::max(0.0, unit_ * found.lower - lost);
     found.upper = unit_ * found.upper + lost;
+  }
+
+  /// Whether poses of the aspect may lie at half a turn of an angle.
+  bool may_wrap(std::size_t place) const {
+    constexpr double near = 1e-9;  // [rad]; leaves are larger
+    bool touches = false;
+    const auto look = [&](const Box& box) {
+      for (std::size_t i = 0; i < free_; ++i)
+        touches = touches || box.upper[i] > EIGEN_PI - near || box.lower[i] < near - EIGEN_PI;
+    };
+    map_.visit_inside_leaves(ids_[place], look);
+    map_.visit_undecided_leaves(aspect(place).mode, look);
+    return touches;
+  }
+
+  /// Shapes are looked for from -pi to pi alone. One that goes on beyond is cut there into parts, the largest
+  /// of which holds a shape of half its size; a disc that is cut along both angles, one of its radius over 1
+  /// + sqrt(2). About a center that is held that says nothing. No edge is longer than a turn.
+  void allow_for_wrap(RegularWorkspace& found) const {
+    const bool is_disc = question_.shape == RegularShape::disc;
+    const double most = is_disc ? EIGEN_PI : 2.0 * EIGEN_PI, share = is_disc ? 2.41422 : 2.0;
+    const bool is_held = std::any_of(question_.center.begin(), question_.center.end(),
+                                     [](const auto& each) { return each.has_value(); });
+    found.upper = is_held ? most : std::min(most, share * found.upper);
+    found.proved = found.upper - found.lower <= options_.gap * found.upper;
   }
 
   const Aspect& aspect(std::size_t place) const {

@@ -431,6 +431,34 @@ TEST(RegularWorkspace, NoneAboutAnotherCenterIsLarger) {
   expect_none_about_other_centers_is_larger(within(test::five_bar(), {{0.0, 1.0, 0.0}, {9.0, 9.0, 0.0}}));
 }
 
+// Angles wrap: an aspect of a four-bar is an interval, which may go on beyond half a turn, and a disc about
+// the deepest pose of an ankle's aspect is free of singularities.
+TEST(RegularWorkspace, UpperBoundsHoldAcrossHalfATurn) {
+  MapOptions options;
+  options.resolution = 0.01;
+  for (const double rod : {0.35, 0.5}) {
+    const auto map = compute_aspect_map(test::four_bar(0.25, 0.4, 0.3, rod), options).map;
+    ASSERT_TRUE(map);
+    std::vector<int> ids;
+    for (const Aspect& aspect : map->aspects()) ids.push_back(aspect.id);
+    const auto found = find_regular_workspaces(*map, ids, {});
+    ASSERT_TRUE(found);
+    for (const RegularWorkspace& each : *found)
+      EXPECT_GE(each.upper, map->aspects()[static_cast<std::size_t>(each.aspect - 1)].measure_lower) << rod;
+  }
+  options.resolution = 0.05;
+  const auto map = compute_aspect_map(test::ankle(), options).map;
+  ASSERT_TRUE(map);
+  WorkspaceQuestion disc;
+  disc.shape = RegularShape::disc;
+  std::vector<int> ids;
+  for (const Aspect& aspect : map->aspects()) ids.push_back(aspect.id);
+  const auto found = find_regular_workspaces(*map, ids, disc);
+  ASSERT_TRUE(found);
+  for (const RegularWorkspace& each : *found)
+    EXPECT_GE(each.upper, map->aspects()[static_cast<std::size_t>(each.aspect - 1)].deepest_clearance);
+}
+
 TEST(RegularWorkspace, QuestionsThatDoNotFitAreRefused) {
   const auto problems = [](const Robot& robot, const WorkspaceQuestion& question) {
     return problems_of(*robot, std::nullopt, question);
