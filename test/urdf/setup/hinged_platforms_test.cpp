@@ -46,7 +46,8 @@ TEST_P(SetupOfHinged, FindsChainAndLegs) {
   EXPECT_FALSE(result.question) << result.question->text;
   EXPECT_EQ(closures_of(result), expected.closures);
   const Mechanism& found = *result.mechanism;
-  const Manipulator &robot = *found.manipulator(), &shipped = *test::shipped(expected.shipped)->manipulator();
+  const auto of_shipped = test::shipped(expected.shipped);
+  const Manipulator &robot = *found.manipulator(), &shipped = *of_shipped->manipulator();
   EXPECT_EQ(robot.task_space(), TaskSpace::R2);
   EXPECT_EQ(robot.base_frame(), expected.base);
   EXPECT_EQ(found.platform_link(), expected.platform);
