@@ -85,9 +85,9 @@ Outcome<GraphAnswer> answer(Session& session, const GraphQuestion& question, con
   GraphAnswer found;
   ProblemList problems;
   found.slice = session.slice_of(question.map);
-  const bool has_map = found.slice || session.robot()->task_space() != TaskSpace::SE3;
-  check_sources(has_map, question.map, question.roadmap, problems);
-  if (problems.empty() && has_map) {
+  const bool of_map = has_map(found.slice, *session.robot());
+  check_sources(of_map, question.map, question.roadmap, problems);
+  if (problems.empty() && of_map) {
     const FoundMap source = session.map(question.map, {}, control, problems);
     found.map = source.map;
     found.loaded = source.loaded;

@@ -48,7 +48,7 @@ class Locating {
 
  private:
   const Manipulator& robot() const { return *session_.robot(); }
-  bool has_map() const { return result_.slice || robot().task_space() != TaskSpace::SE3; }
+  bool has_map() const { return ask::has_map(result_.slice, robot()); }
 
   void check() {
     result_.task_space = robot().task_space();

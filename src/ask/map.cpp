@@ -45,7 +45,7 @@ class Mapping {
   }
 
  private:
-  bool has_map() const { return options_.slice || session_.robot()->task_space() != TaskSpace::SE3; }
+  bool has_map() const { return ask::has_map(options_.slice, *session_.robot()); }
 
   void find_map() {
     const FoundMap found = session_.map_of(options_, question_.source, control_, problems_);

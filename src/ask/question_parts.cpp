@@ -23,6 +23,10 @@ std::string text_of(const NamedRange& range) {
 
 }  // namespace
 
+bool has_map(const std::optional<MapSlice>& slice, const Manipulator& robot) noexcept {
+  return slice || robot.task_space() != TaskSpace::SE3;
+}
+
 void check_sources(bool has_map, const MapSource& map, const RoadmapSource& roadmap, ProblemList& problems) {
   if (!has_map && !map.is_default())
     problems.push_back({ProblemKind::robot, "resolution",

@@ -37,6 +37,9 @@ Box box_of(const std::string& field, const std::vector<std::string>& names,
 double put_onto_slice(const MapSlice& slice, const Manipulator& robot, const std::string& field, Pose& pose,
                       ProblemList& problems);
 
+/// Whether there are maps of boxes of the robot, or of this slice; else there are roadmaps.
+bool has_map(const std::optional<MapSlice>& slice, const Manipulator& robot) noexcept;
+
 /// Where what is asked has a map of boxes it has no roadmap, and the other way round.
 void check_sources(bool has_map, const MapSource& map, const RoadmapSource& roadmap, ProblemList& problems);
 

@@ -2,6 +2,7 @@
 #include "parallel_aspects/distance/boundary_distances.h"
 
 #include "aspects/constraints/finite_lengths.h"
+#include "distance/boundary_distance_parts.h"
 #include "distance/hinge_search.h"
 #include "distance/leg_search.h"
 #include "distance/parallel_search.h"
@@ -36,11 +37,6 @@ bool has_branches(const Manipulator& manipulator, const WorkingMode& mode) {
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
     if (!manipulator.leg(j).has_branch(mode.sign(j))) return false;
   return true;
-}
-
-double displacement(const Leg& leg, double from, double to) {
-  const bool wraps = leg.actuated_by_angle() && !leg.limits.limited();
-  return wraps ? std::remainder(to - from, 2.0 * EIGEN_PI) : to - from;
 }
 
 }  // namespace
@@ -81,12 +77,8 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
     if (!usable_ || !is_usable(given, longest_length) || !has_branches(*manipulator_, mode)) return result;
     const Pose pose = within(space, given);
     if (!is_usable(pose, longest_length)) return result;
-    const InverseSolution solution = inverse(*manipulator_, pose, mode);
-    result.q = solution.q;
-    result.status = ConfigurationStatus::out_of_reach;
+    const InverseSolution solution = begin_distances(*manipulator_, pose, mode, result);
     if (solution.status == InverseStatus::out_of_reach) return result;
-    result.status = solution.status == InverseStatus::solved ? ConfigurationStatus::measured
-                                                             : ConfigurationStatus::outside_limits;
     search(pose, mode, result);
     if (solution.status == InverseStatus::outside_limits) result.actuated_limit = touching(solution.leg);
     return result;
@@ -96,13 +88,6 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
   static LegBoundaries<Chart::dimension> boundaries_of(const Manipulator& manipulator) {
     const RoundingUpward rounding;
     return leg_boundaries<Chart::dimension>(manipulator);
-  }
-
-  static BoundaryDistance touching(std::size_t leg) noexcept {
-    BoundaryDistance result;
-    result.status = DistanceStatus::touching;
-    result.leg = leg;
-    return result;
   }
 
   void search(const Pose& pose, const WorkingMode& mode, BoundaryDistances& result) noexcept {
@@ -166,14 +151,7 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
     if (!found.has_witness()) return result;
     result.witness = chart_.pose_at(found.witness);
     result.direction = chart_.direction_to(found.witness);
-    result.witness_q.resize(q.size());
-    result.joint_displacement.resize(q.size());
-    for (Eigen::Index j = 0; j < q.size(); ++j) {
-      const Leg& leg = manipulator_->leg(static_cast<std::size_t>(j));
-      result.witness_q[j] =
-          joint_value(leg, result.witness.transform(leg.anchor), mode.sign(static_cast<std::size_t>(j)));
-      result.joint_displacement[j] = displacement(leg, q[j], result.witness_q[j]);
-    }
+    add_joints_of_witness(*manipulator_, mode, q, result);
     return result;
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "distance/hinge_search.h"
 
+#include "aspects/zeros/krawczyk.h"
+#include "distance/boundary_distance_parts.h"
 #include "model/angles.h"
 
 #include <algorithm>
@@ -22,20 +24,6 @@ constexpr double small_step = 1e-7;
 
 Box point_box(std::size_t dimension, const std::array<double, 2>& at) {
   return {dimension, {at[0], at[1], 0.0}, {at[0], at[1], 0.0}};
-}
-
-Box hull(const Box& a, const Box& b) {
-  Box result = a;
-  for (std::size_t i = 0; i < a.dimension; ++i) {
-    result.lower[i] = std::min(a.lower[i], b.lower[i]);
-    result.upper[i] = std::max(a.upper[i], b.upper[i]);
-  }
-  return result;
-}
-
-double change(const Leg& leg, double from, double to) {
-  const bool wraps = leg.actuated_by_angle() && !leg.limits.limited();
-  return wraps ? std::remainder(to - from, full_turn) : to - from;
 }
 
 std::vector<LegBoundary<3>> limits_of(const Manipulator& robot) {
@@ -105,12 +93,8 @@ Interval HingeSearch::distance_to(const Box& box) const noexcept {
 
 BoundaryDistances HingeSearch::measure(const Pose& pose, const WorkingMode& mode) noexcept {
   BoundaryDistances result;
-  const InverseSolution solution = inverse(*robot_, pose, mode);
-  result.q = solution.q;
-  result.status = ConfigurationStatus::out_of_reach;
+  const InverseSolution solution = begin_distances(*robot_, pose, mode, result);
   if (solution.status == InverseStatus::out_of_reach) return result;
-  result.status = solution.status == InverseStatus::solved ? ConfigurationStatus::measured
-                                                           : ConfigurationStatus::outside_limits;
   mode_ = mode;
   mode_index_ = static_cast<std::size_t>(std::find(modes_.begin(), modes_.end(), mode) - modes_.begin());
   {
@@ -119,9 +103,8 @@ BoundaryDistances HingeSearch::measure(const Pose& pose, const WorkingMode& mode
     const BoxFacts here = classifier_->facts(0, point_box(dimension_, angles_of(pose)), mode_index_);
     if (here.clear != here.legs) {
       result.status = ConfigurationStatus::at_serial_singularity;
-      result.serial.status = DistanceStatus::touching;
       for (std::size_t j = dimension_; j-- > 0;)
-        if ((here.clear & BoxFacts::bit(j)) == 0) result.serial.leg = j;
+        if ((here.clear & BoxFacts::bit(j)) == 0) result.serial = touching(j);
       return result;
     }
     result.parallel = search(Kind::parallel);
@@ -130,11 +113,7 @@ BoundaryDistances HingeSearch::measure(const Pose& pose, const WorkingMode& mode
   }
   for (BoundaryDistance* each : {&result.parallel, &result.serial, &result.actuated_limit})
     describe(pose, solution.q, *each);
-  if (solution.status == InverseStatus::outside_limits) {
-    result.actuated_limit = {};
-    result.actuated_limit.status = DistanceStatus::touching;
-    result.actuated_limit.leg = solution.leg;
-  }
+  if (solution.status == InverseStatus::outside_limits) result.actuated_limit = touching(solution.leg);
   return result;
 }
 
@@ -302,7 +281,7 @@ double HingeSearch::proved_distance(const Target& target, const Angles& at,
       after[k] += offset * direction[k];
     }
     const Box first = point_box(dimension_, before), last = point_box(dimension_, after);
-    const Box all = hull(first, last);
+    const Box all = hull_of(first, last);
     if (is_crossed(target, first, last, all)) return distance_to(all).upper();
   }
   return infinity;
@@ -339,14 +318,7 @@ void HingeSearch::describe(const Pose& from, const JointVector& q, BoundaryDista
   const double moved =
       anchor_distance(*robot_, from, displaced(robot_->motions(), from, share * found.direction)) / share;
   if (moved > 0.0) found.direction /= moved;
-  found.witness_q.resize(q.size());
-  found.joint_displacement.resize(q.size());
-  for (Eigen::Index j = 0; j < q.size(); ++j) {
-    const auto leg = static_cast<std::size_t>(j);
-    const Leg& each = robot_->leg(leg);
-    found.witness_q[j] = joint_value(each, found.witness.transform(each.anchor), mode_.sign(leg));
-    found.joint_displacement[j] = change(each, q[j], found.witness_q[j]);
-  }
+  add_joints_of_witness(*robot_, mode_, q, found);
 }
 
 }  // namespace parallel_aspects

@@ -153,7 +153,7 @@ class Recogniser {
                                             const Eigen::VectorXd& values, const PlatformMotion& motion,
                                             Problems& problems) const {
     std::vector<RecognisedLeg> recognised;
-    std::vector<std::pair<std::string, std::vector<std::string>>> refused;  // legs by their reason
+    NamesByReason refused;  // a leg by one of its chains
     for (const LegChains& leg : legs) {
       const std::size_t variable = resolved_.actuated_joints.variables[leg.actuation];
       const LegSetting setting{&motion, system.size(), values[static_cast<Eigen::Index>(variable)],
@@ -163,10 +163,7 @@ class Recogniser {
         recognised.push_back(*found);
         continue;
       }
-      const auto known = std::find_if(refused.begin(), refused.end(),
-                                      [&](const auto& other) { return other.first == reason; });
-      auto& same = known == refused.end() ? refused.emplace_back(reason, std::vector<std::string>()) : *known;
-      same.second.push_back(names_of(leg.chains.front()));
+      add_name(reason, names_of(leg.chains.front()), refused);
     }
     for (const auto& [reason, names] : refused)
       problems.push_back(files_.urdf + " has " +

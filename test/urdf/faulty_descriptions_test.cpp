@@ -26,7 +26,7 @@ Problems refusal(const Description& description) {
   return test::refusal(description.urdf, description.config);
 }
 
-TEST(Culprit, IsAFourBar) {
+TEST(Diagnosis, IsAFourBar) {
   const std::string start = "robot.urdf is a linkage of one degree of freedom, as a four-bar, and its ";
   const std::string end =
       " is on neither; of those only a platform on a slide (T1) or on a hinge (R1) of the base, which one "
@@ -47,7 +47,7 @@ TEST(Culprit, IsAFourBar) {
 }
 
 // Two legs of a five-bar hold a platform that can only slide; one alone would be a robot in T1.
-TEST(Culprit, IsASliderThatTwoLegsHold) {
+TEST(Diagnosis, IsASliderThatTwoLegsHold) {
   Description robot = faulty("held_slider");
   EXPECT_EQ(
       refusal(robot),
@@ -65,7 +65,7 @@ TEST(Culprit, IsASliderThatTwoLegsHold) {
 }
 
 // Which may be meant, so that it loads.
-TEST(Culprit, MayBeALinkThatTwoClosuresHold) {
+TEST(Diagnosis, MayBeALinkThatTwoClosuresHold) {
   for (const std::string robot : {"stewart", "three_rpr", "spherical_3rrr"}) {
     Description description = shipped_text(robot);
     const auto about_links = [&] {
@@ -92,7 +92,7 @@ TEST(Culprit, MayBeALinkThatTwoClosuresHold) {
 }
 
 // All four sides of a parallelogram move along circles, but for a moment along lines.
-TEST(Culprit, IsAParallelogram) {
+TEST(Diagnosis, IsAParallelogram) {
   Description four_bar = faulty("four_bar");
   four_bar.urdf = replaced(four_bar.urdf, "xyz=\"3.5 0 0\"", "xyz=\"3 0 0\"");
   four_bar.urdf = replaced(four_bar.urdf, "xyz=\"2 0 0\"", "xyz=\"1 0 0\"");
@@ -103,7 +103,7 @@ TEST(Culprit, IsAParallelogram) {
 }
 
 // A crank on a slide is one, and its slider is a platform.
-TEST(Culprit, IsTheOperationalPointOfASliderCrank) {
+TEST(Diagnosis, IsTheOperationalPointOfASliderCrank) {
   Description slider = faulty("slider_crank");
   EXPECT_EQ(refusal(slider),
             Problems{"robot.yaml has operational_point 'rod', but the legs of robot.urdf meet in link "
@@ -112,7 +112,7 @@ TEST(Culprit, IsTheOperationalPointOfASliderCrank) {
   EXPECT_EQ(test::load(slider)->manipulator()->task_space(), TaskSpace::T1);
 }
 
-TEST(Culprit, IsAnOperationalPointBesideTheJointsOfAHub) {
+TEST(Diagnosis, IsAnOperationalPointBesideTheJointsOfAHub) {
   Description robot = faulty("hub");
   EXPECT_EQ(refusal(robot), Problems{"robot.yaml has operational_point 'camera', but the legs of robot.urdf "
                                      "meet in link 'hub'; write operational_point: hub, which makes it a "
@@ -122,18 +122,18 @@ TEST(Culprit, IsAnOperationalPointBesideTheJointsOfAHub) {
 }
 
 // On one hinge, by one strut.
-TEST(Culprit, IsNotABoomThatAPistonTurns) {
+TEST(Diagnosis, IsNotABoomThatAPistonTurns) {
   EXPECT_EQ(test::load(faulty("boom"))->manipulator()->task_space(), TaskSpace::R1);
 }
 
-TEST(Culprit, IsASerialArm) {
+TEST(Diagnosis, IsASerialArm) {
   EXPECT_EQ(refusal(faulty("serial_arm")),
             Problems{"robot.urdf is a serial arm, one chain of 3 joints from link 'base' to link 'c' without "
                      "a loop; there is nothing to close, and only parallel robots are treated."});
 }
 
 // A parallel robot is an open tree, too, until its loops are described.
-TEST(Culprit, IsNoSerialArmWhereLoopsAreNotDescribed) {
+TEST(Diagnosis, IsNoSerialArmWhereLoopsAreNotDescribed) {
   Description robot = shipped_text("five_bar");
   robot.config =
       replaced(robot.config, "  closures:\n    - {frames: [tool, closing_2], type: revolute}\n", "");
@@ -150,7 +150,7 @@ Description on_turntable(Description robot, const std::string& base) {
   return robot;
 }
 
-TEST(Culprit, IsATurntableBelowTheLoops) {
+TEST(Diagnosis, IsATurntableBelowTheLoops) {
   Description robot = on_turntable(shipped_text("delta"), "base_link");
   EXPECT_EQ(refusal(robot), Problems{"robot.yaml has base_link 'ground', but joint 'turn' moves all loops of "
                                      "robot.urdf; write base_link: base_link."});
@@ -168,7 +168,7 @@ TEST(Culprit, IsATurntableBelowTheLoops) {
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::T3);
 }
 
-TEST(Culprit, IsAWristAfterThePlatform) {
+TEST(Diagnosis, IsAWristAfterThePlatform) {
   Description robot = shipped_text("three_rrr");
   robot.urdf = replaced(
       robot.urdf, "</robot>",
@@ -178,7 +178,7 @@ TEST(Culprit, IsAWristAfterThePlatform) {
                                      "against all loops of robot.urdf; write operational_point: platform."});
 }
 
-TEST(Culprit, IsAnActuatedJointOutsideOfTheLoops) {
+TEST(Diagnosis, IsAnActuatedJointOutsideOfTheLoops) {
   Description robot = shipped_text("three_rrr");
   robot.urdf =
       replaced(robot.urdf, "</robot>",
@@ -193,7 +193,7 @@ TEST(Culprit, IsAnActuatedJointOutsideOfTheLoops) {
 }
 
 // The axis of one joint of a robot in the plane.
-TEST(Culprit, IsATiltedAxis) {
+TEST(Diagnosis, IsATiltedAxis) {
   Description robot = shipped_text("five_bar");
   const std::string elbow = "<child link=\"rod_2\"/>\n    <origin xyz=\"5 0 0\"/>\n    ";
   robot.urdf = replaced(robot.urdf, elbow + "<axis xyz=\"0 0 1\"/>", elbow + "<axis xyz=\"0.05 0 1\"/>");
@@ -205,7 +205,7 @@ TEST(Culprit, IsATiltedAxis) {
 }
 
 // A frame that is turned takes all with it that hangs on it.
-TEST(Culprit, IsATiltedFrame) {
+TEST(Diagnosis, IsATiltedFrame) {
   Description robot = shipped_text("three_rrr");
   const std::size_t at = robot.urdf.find("<joint name=\"elbow_1_joint\"");
   ASSERT_NE(at, std::string::npos);
@@ -222,7 +222,7 @@ TEST(Culprit, IsATiltedFrame) {
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::SE2);
 }
 
-TEST(Culprit, IsAnAxisThatMissesTheCentre) {
+TEST(Diagnosis, IsAnAxisThatMissesTheCentre) {
   Description robot = shipped_text("spherical_3rrr");
   const std::string elbow = "<child link=\"rod_1\"/>\n    <origin xyz=\"";
   robot.urdf = replaced(robot.urdf, elbow + "0 0 0\"", elbow + "0.02 0 0\"");
@@ -260,7 +260,7 @@ TEST(Assembly, IsNotTakenStretchedAtALimit) {
     }
 }
 
-TEST(Culprit, IsAnActuatedJointThatIsLocked) {
+TEST(Diagnosis, IsAnActuatedJointThatIsLocked) {
   Description robot = shipped_text("five_bar");
   const std::string joint = "<joint name=\"crank_1_joint\" type=\"";
   robot.urdf =
@@ -345,7 +345,7 @@ TEST(Assembly, IsFoundOfASliderInLineWithItsCrank) {
 }
 
 // An axis that is not along those of the joints, where it is open which of them are actuated.
-TEST(Culprit, IsARevoluteClosureWhereBallsFit) {
+TEST(Diagnosis, IsARevoluteClosureWhereBallsFit) {
   Description robot = shipped_text("five_bar");
   robot.config =
       "mechanism:\n  operational_point: tool\n  closures:\n    - {frames: [{link: tool, rpy: [1.5707963, 0, "
@@ -367,7 +367,7 @@ TEST(Culprit, IsARevoluteClosureWhereBallsFit) {
 }
 
 // Whatever ends are exchanged, that is no mistake of the description.
-TEST(Culprit, IsAPlatformThatNoPoseHolds) {
+TEST(Diagnosis, IsAPlatformThatNoPoseHolds) {
   EXPECT_EQ(
       refusal(faulty("singular_hexapod")),
       Problems{"robot.urdf is assembled, but singular in every pose: det A is zero to rounding in all 12 "
@@ -385,7 +385,7 @@ std::string with_axes_of_links(std::string urdf, const std::vector<std::string>&
 }
 
 // A mistake in one leg is made in every leg, and in none that has no such closure.
-TEST(Culprit, IsTheFrameOfTheAxesOfLikeClosures) {
+TEST(Diagnosis, IsTheFrameOfTheAxesOfLikeClosures) {
   Description robot = faulty("upright_three_rrr");
   EXPECT_EQ(refusal(robot),
             Problems{"robot.urdf states axes for 'wrist_2', 'wrist_3' about which their links do not turn; "

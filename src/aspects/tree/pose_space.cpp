@@ -62,12 +62,7 @@ class PlanarMotions final : public PoseSpace {
     return result;
   }
 
-  Box shown(const Box& box) const noexcept override {
-    Box result = box;
-    result.lower[2] *= pi;
-    result.upper[2] *= pi;
-    return result;
-  }
+  Box shown(const Box& box) const noexcept override { return in_radians(box, 2); }
 
   double measure(const Box& box) const noexcept override { return pi * box.measure(); }
 
@@ -199,14 +194,7 @@ class HingeAngles final : public PoseSpace {
     return pose_from_coordinates(motions_, angles).value_or(Pose{});
   }
 
-  Box shown(const Box& box) const noexcept override {
-    Box result = box;
-    for (std::size_t i = 0; i < box.dimension; ++i) {
-      result.lower[i] *= pi;
-      result.upper[i] *= pi;
-    }
-    return result;
-  }
+  Box shown(const Box& box) const noexcept override { return in_radians(box, 0); }
 
   double measure(const Box& box) const noexcept override {
     return dimension() == 1 ? pi * box.measure() : pi * pi * box.measure();
@@ -225,6 +213,14 @@ class HingeAngles final : public PoseSpace {
 };
 
 }  // namespace
+
+Box in_radians(Box box, std::size_t first) noexcept {
+  for (std::size_t i = first; i < box.dimension; ++i) {
+    box.lower[i] *= pi;
+    box.upper[i] *= pi;
+  }
+  return box;
+}
 
 MapPosition PoseSpace::across(const MapPosition& position, std::size_t axis) const noexcept {
   const bool upper = position.point[axis] == region_.upper[axis];

@@ -28,6 +28,9 @@ struct RootFace {
   }
 };
 
+/// `box`, of which coordinates are half turns from this one on, with these in radians.
+Box in_radians(Box box, std::size_t first) noexcept;
+
 /// Two faces of root boxes that are the same poses. Along the face, coordinate i of the first is coordinate
 /// `axis_of[i]` of the second, running backwards where `flipped[i]`.
 struct Gluing {

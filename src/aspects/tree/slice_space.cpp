@@ -80,14 +80,7 @@ class Slice final : public PoseSpace {
     return result;
   }
 
-  Box shown(const Box& box) const noexcept override {
-    Box result = box;
-    if (turns(slice_)) {
-      result.lower[angle()] *= pi;
-      result.upper[angle()] *= pi;
-    }
-    return result;
-  }
+  Box shown(const Box& box) const noexcept override { return turns(slice_) ? in_radians(box, angle()) : box; }
 
   double measure(const Box& box) const noexcept override {
     return turns(slice_) ? pi * box.measure() : box.measure();
@@ -187,14 +180,7 @@ class HeldJointSpace final : public PoseSpace {
     return circle_.pose(pi * position.point[direction], pi * position.point[angle]);
   }
 
-  Box shown(const Box& box) const noexcept override {
-    Box result = box;
-    for (std::size_t i = 0; i < box.dimension; ++i) {
-      result.lower[i] *= pi;
-      result.upper[i] *= pi;
-    }
-    return result;
-  }
+  Box shown(const Box& box) const noexcept override { return in_radians(box, 0); }
 
   double measure(const Box& box) const noexcept override { return pi * pi * box.measure(); }
 

@@ -33,15 +33,6 @@ constexpr int contractions = 8;
 
 double width_of(const Box& box) { return std::max(box.width(0), box.width(1)); }
 
-Box hull_of(const Box& a, const Box& b) {
-  Box hull = a;
-  for (std::size_t i = 0; i < 2; ++i) {
-    hull.lower[i] = std::min(a.lower[i], b.lower[i]);
-    hull.upper[i] = std::max(a.upper[i], b.upper[i]);
-  }
-  return hull;
-}
-
 bool have_images_apart(const ImageStrip& a, const ImageStrip& b) {
   for (std::size_t i = 0; i < 2; ++i)
     if (are_apart(a.range[i], b.range[i]) || are_apart(a.extents[i], b.along(a.frame[i])) ||

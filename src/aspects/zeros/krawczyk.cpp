@@ -106,6 +106,15 @@ Box intersection(const Box& a, const Box& b) noexcept {
   return result;
 }
 
+Box hull_of(const Box& a, const Box& b) noexcept {
+  Box hull = a;
+  for (std::size_t i = 0; i < a.dimension; ++i) {
+    hull.lower[i] = std::min(a.lower[i], b.lower[i]);
+    hull.upper[i] = std::max(a.upper[i], b.upper[i]);
+  }
+  return hull;
+}
+
 Box scaled(const Box& box, double factor) noexcept {
   Box result = box;
   for (std::size_t i = 0; i < box.dimension; ++i) {

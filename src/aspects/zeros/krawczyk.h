@@ -70,6 +70,9 @@ ZeroSearch krawczyk_test(const Box& box, const PairOverBox& pair) noexcept;
 /// What two boxes that hold one point have in common.
 Box intersection(const Box& a, const Box& b) noexcept;
 
+/// The smallest box that holds both.
+Box hull_of(const Box& a, const Box& b) noexcept;
+
 /// `box`, about its middle, with edges this many times as long.
 Box scaled(const Box& box, double factor) noexcept;
 

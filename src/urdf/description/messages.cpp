@@ -59,6 +59,13 @@ std::string placed_name(const std::string& link, const Eigen::Vector3d& xyz, con
   return text;
 }
 
+void add_name(const std::string& reason, const std::string& name, NamesByReason& names) {
+  const auto known =
+      std::find_if(names.begin(), names.end(), [&](const auto& other) { return other.first == reason; });
+  auto& same = known == names.end() ? names.emplace_back(reason, std::vector<std::string>()) : *known;
+  same.second.push_back(name);
+}
+
 std::string SourceNames::key(const std::string& key) const { return as_options ? option_name(key) : key; }
 
 std::string SourceNames::full_key(const std::string& key) const {

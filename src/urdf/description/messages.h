@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -25,6 +26,10 @@ std::string coordinate_text(double value);
 /// A place in the frame of a link [m], as "rod_2@0.4:0:0".
 std::string placed_name(const std::string& link, const Eigen::Vector3d& xyz,
                         const Eigen::Vector3d& rpy = Eigen::Vector3d::Zero());
+
+/// Names of one kind by the reason that a message gives for them, in the order in which they came.
+using NamesByReason = std::vector<std::pair<std::string, std::vector<std::string>>>;
+void add_name(const std::string& reason, const std::string& name, NamesByReason& names);
 
 /// Names of files or parameters, for messages, and how these call what the YAML says.
 struct SourceNames {

@@ -92,14 +92,13 @@ class OneFreedom {
     return joints.size() == 1 && moves_in_one_way(assemble(balls_, joints, platform_));
   }
 
-  std::optional<std::size_t> joint_on_base(JointMotion motion) const {
+  // That carries the platform on the base.
+  std::optional<std::size_t> slide_below_platform() const {
     const auto joint = tree_->joint_above[body_of(*tree_, platform_)];
-    const bool is_one = joint && tree_->joints[*joint].motion == motion &&
+    const bool is_one = joint && tree_->joints[*joint].motion == JointMotion::prismatic &&
                         body_of(*tree_, tree_->joints[*joint].parent) == body_of(*tree_, resolved_.base);
     return is_one ? joint : std::nullopt;
   }
-
-  std::optional<std::size_t> slide_below_platform() const { return joint_on_base(JointMotion::prismatic); }
 
   std::ptrdiff_t legs_at_platform() const {
     const std::size_t body = body_of(*tree_, platform_);

@@ -98,7 +98,7 @@ Notes crossed_ends_notes(const Subject& subject, const Attempt& attempt) {
 namespace {
 
 constexpr std::size_t max_remedies = 3;  // that one note names
-constexpr double decimal = 1e-8;         // to which a place is said [m]
+constexpr double decimal = 1e-8;         // to which a place is printed [m]
 
 // By their indices.
 std::vector<std::size_t> those_apart(const Tree& tree, const ResolvedConfig& resolved) {

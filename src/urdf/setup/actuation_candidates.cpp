@@ -270,14 +270,10 @@ std::string reason_to_leave_out(const TakenActuation& taken, std::size_t variabl
 
 std::optional<std::string> note_on_stated(const TakenActuation& taken, const std::string& urdf_name) {
   const std::vector<bool>& stated = taken.evidence.stated;
-  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;  // with the joints, in their order
+  NamesByReason reasons;  // of joints
   for (std::size_t joint = 0; joint < stated.size(); ++joint) {
     if (!stated[joint] || has(taken.variables, joint)) continue;
-    const std::string reason = reason_to_leave_out(taken, joint);
-    const auto known = std::find_if(reasons.begin(), reasons.end(),
-                                    [&](const auto& other) { return other.first == reason; });
-    auto& same = known == reasons.end() ? reasons.emplace_back(reason, std::vector<std::string>()) : *known;
-    same.second.push_back(taken.tree.joint_of(joint).name);
+    add_name(reason_to_leave_out(taken, joint), taken.tree.joint_of(joint).name, reasons);
   }
   if (reasons.empty()) return std::nullopt;
   std::string left_out, instead;
