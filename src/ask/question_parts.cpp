@@ -96,6 +96,16 @@ Box box_of(const std::string& field, const std::vector<std::string>& names,
 
 namespace {
 
+/// The orientation of the slice that is nearest: of a turn from the held one, the part about the axis.
+Eigen::Quaterniond nearest_about_axis(const MapSlice& slice, const Eigen::Quaterniond& orientation) {
+  constexpr double rounding = 1e-9;  // as maps of slices allow [rad]
+  const Eigen::Vector3d axis = slice.axis.normalized();
+  const Eigen::Quaterniond turn = orientation * slice.held.orientation.conjugate();
+  const double along = turn.vec().dot(axis);
+  if ((turn.vec() - along * axis).norm() <= rounding) return orientation;
+  return Eigen::AngleAxisd(2.0 * std::atan2(along, turn.w()), axis) * slice.held.orientation;
+}
+
 Pose nearest_of(const MapSlice& slice, const Manipulator& robot, const Pose& pose) {
   if (slice.joint) return circle_of_anchor(robot, *slice.joint).nearest(pose);
   Pose nearest = pose;
@@ -103,6 +113,8 @@ Pose nearest_of(const MapSlice& slice, const Manipulator& robot, const Pose& pos
     if (!slice.moves[i])
       nearest.position[static_cast<Eigen::Index>(i)] = slice.held.position[static_cast<Eigen::Index>(i)];
   if (slice.rotation == MapSlice::Rotation::none) nearest.orientation = slice.held.orientation;
+  if (slice.rotation == MapSlice::Rotation::about_axis)
+    nearest.orientation = nearest_about_axis(slice, pose.orientation);
   return nearest;
 }
 

@@ -68,17 +68,49 @@ TEST(SliceEnds, TakesPosesOfTablesInOtherSlices) {
   }
 }
 
-TEST(SliceEnds, NamesAPoseThatIsTaken) {
-  const Robot robot = test::three_rpr();
-  const Placed off = placed(robot, {{"leg_1_joint", 15.0}}, "-14.89612810 1.58296166 0.24530953");
+/// How far a pose is turned about another axis than that of the slice, as half a sine.
+double turned_aside(const MapSlice& slice, const Pose& pose) {
+  const Eigen::Vector3d turn = (pose.orientation * slice.held.orientation.conjugate()).vec();
+  return (turn - turn.dot(slice.axis) * slice.axis).norm();
+}
+
+TEST(SliceEnds, TakesPosesOfTablesWithAnAngleFree) {
+  const Robot robot = test::stewart();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  double most = 0.0;
+  for (int i = 0; i < 500; ++i) {
+    const Held held{{"x", 0.1}, {"y", 0.0}, {"roll", number(random)}, {"yaw", number(random)}};
+    const MapSlice slice = test::slice_of(robot, held);
+    Pose pose = slice.held;
+    pose.position.z() = number(random);
+    pose.orientation = Eigen::AngleAxisd(3.0 * number(random), slice.axis) * slice.held.orientation;
+    const Placed found = placed(robot, held, pose_numbers(robot->task_space(), pose));
+    EXPECT_TRUE(found.problems.empty()) << found.problems.front().fault;
+    EXPECT_LE(turned_aside(slice, found.pose), 1e-9);
+    EXPECT_LE(found.pose.orientation.angularDistance(pose.orientation), 1e-4);
+    most = std::max(most, found.moved);
+  }
+  EXPECT_GT(most, 1e-9);
+}
+
+void expect_named_pose_is_taken(const Robot& robot, const Held& held, const std::string& pose) {
+  const Placed off = placed(robot, held, pose);
   ASSERT_EQ(off.problems.size(), 1U);
   const std::string& message = off.problems.front().remedy;
   const std::string words = "The nearest in the task frame is \"";
   const std::size_t begin = message.find(words) + words.size(), end = message.find('"', begin);
   ASSERT_NE(end, std::string::npos) << message;
-  const Placed again = placed(robot, {{"leg_1_joint", 15.0}}, message.substr(begin, end - begin));
+  const Placed again = placed(robot, held, message.substr(begin, end - begin));
   EXPECT_TRUE(again.problems.empty()) << message;
   EXPECT_LE(again.moved, held_joint_tolerance);
+}
+
+TEST(SliceEnds, NamesAPoseThatIsTaken) {
+  expect_named_pose_is_taken(test::three_rpr(), {{"leg_1_joint", 15.0}},
+                             "-14.89612810 1.58296166 0.24530953");
+  expect_named_pose_is_taken(test::stewart(), {{"x", 0.0}, {"y", 0.0}, {"roll", 0.0}, {"yaw", 0.0}},
+                             "0.1 0 1.3 0.1 0.2 0 0.9746794345");
 }
 
 // A frame that is far off leaves few digits to where the robot is.
