@@ -211,8 +211,8 @@ CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector&
                                   const TaskVector& allowance, double share, double speed,
                                   double least) const noexcept {
   // The theorem of docs/theory/tracking.md, by its bounds for each leg: `row` of the change of A, `bend` of
-  // what F is off its linear part in q, `curvature` of D^2 F in the ball. Then g is `lost`, eta `moved` and k
-  // r `bent`.
+  // what F is off its linear part in q, `curvature` of D^2 F in the ball. Then g is `contraction`, eta
+  // `moved` and k r `bent`.
   LegBounds rod{}, row{}, bend{}, curvature{};
   for (std::size_t j = 0; j < size_; ++j) {
     const auto i = static_cast<Eigen::Index>(j);
@@ -223,8 +223,8 @@ CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector&
     bend[j] = 0.5 * legs_[j].joint_curvature(rod[j]) * change * change +
               magnitude(point.inverse_diagonal[j]) * allowance[i];
   }
-  const double lost = point.defect + spread(point, row);
-  const double gain = -(lost - 1.0);  // rounded down: 1 - g
+  const double contraction = point.defect + spread(point, row);
+  const double gain = -(contraction - 1.0);  // rounded down: 1 - g
   const double moved = point.residual + share * speed + spread(point, bend);
   if (!(gain > 0.0)) return {};
   // Twice what eta / (1 - g) would do without k, so that half of it is left for k.
