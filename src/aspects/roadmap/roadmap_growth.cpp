@@ -268,7 +268,7 @@ std::vector<PathSearch::Vertex> PathSearch::path(Vertex from, Vertex to) const {
 }
 
 /// Leaves out poses where the segment past them is proved.
-std::vector<Pose> PathSearch::shortened(const std::vector<Vertex>& vertices) const {
+std::vector<Pose> PathSearch::without_detours(const std::vector<Vertex>& vertices) const {
   std::vector<Pose> path{poses_[vertices.front()]};
   for (std::size_t at = 0; at + 1 < vertices.size();) {
     std::size_t next = vertices.size() - 1;
@@ -291,7 +291,7 @@ std::vector<Pose> PathSearch::find(const Pose& from, const Pose& to, SearchEffor
     explore(first, last, effort == SearchEffort::brief ? draws_in_brief : most_draws_at_all);
   }
   if (!joined(first, last)) return {};
-  return shortened(path(first, last));
+  return without_detours(path(first, last));
 }
 
 }  // namespace parallel_aspects

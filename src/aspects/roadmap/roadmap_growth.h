@@ -55,7 +55,7 @@ class PathSearch {
   void attach(Vertex vertex, std::size_t tries);
   void explore(Vertex from, Vertex to, std::size_t most_draws);
   std::vector<Vertex> path(Vertex from, Vertex to) const;
-  std::vector<Pose> shortened(const std::vector<Vertex>& path) const;
+  std::vector<Pose> without_detours(const std::vector<Vertex>& path) const;
 
   const PoseRoadmap& roadmap_;
   WorkingMode mode_;

@@ -27,7 +27,7 @@ class BoundaryFunctions {
     BoundaryKind kind;
     std::size_t leg;
   };
-  static constexpr int most = 1 + 6 + 12 + 6;
+  static constexpr int most = 1 + 6 + 12 + static_cast<int>(all_constraint_kinds.size());
   using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
 
   /// The manipulator must outlive the object.

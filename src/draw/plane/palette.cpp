@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdio>
 
@@ -120,8 +121,10 @@ const std::vector<BoundaryStyle>& boundary_styles() {
 }
 
 const BoundaryStyle& style_of(BoundaryKind kind) {
-  return *std::find_if(boundary_styles().begin(), boundary_styles().end(),
-                       [kind](const BoundaryStyle& style) { return style.kind == kind; });
+  const auto found = std::find_if(boundary_styles().begin(), boundary_styles().end(),
+                                  [kind](const BoundaryStyle& style) { return style.kind == kind; });
+  assert(found != boundary_styles().end());  // a kind without a row
+  return *found;
 }
 
 // Three colours that people with any colour vision tell apart (after Paul Tol's "high contrast" scheme).

@@ -204,8 +204,9 @@ bool CuspLoops::keeps(const Pose& from, const Pose& to, double room, int passes,
 
 /// With the longest segments that keep the room. Empty where one from a node to the next is not proved: that
 /// node is `barred`.
-std::vector<Pose> CuspLoops::shortened(const std::vector<Pose>& poses, double room, const JointVector& cusp,
-                                       std::optional<std::size_t>& barred) const {
+std::vector<Pose> CuspLoops::shortened_beside_cusp(const std::vector<Pose>& poses, double room,
+                                                   const JointVector& cusp,
+                                                   std::optional<std::size_t>& barred) const {
   std::vector<int> passes(poses.size(), 0);  // up to each
   for (std::size_t i = 1; i < poses.size(); ++i)
     passes[i] = passes[i - 1] + passes_cut(values(poses[i - 1]), values(poses[i]), cusp);
@@ -237,7 +238,7 @@ std::vector<Pose> CuspLoops::find(const JointVector& cusp, const Pose& goal) {
     for (const std::size_t node : way.nodes) poses.push_back(pose(node));
     poses.push_back(goal);
     std::optional<std::size_t> barred;
-    std::vector<Pose> found = shortened(poses, least, cusp, barred);
+    std::vector<Pose> found = shortened_beside_cusp(poses, least, cusp, barred);
     if (!barred) return found;
     if (*barred == 0) return {};
     nodes_[way.nodes[*barred]].room = 0.0;

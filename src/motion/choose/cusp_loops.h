@@ -50,8 +50,8 @@ class CuspLoops {
   std::array<std::size_t, 8> neighbours(std::size_t node) const;
   int passes_cut(const JointVector& from, const JointVector& to, const JointVector& cusp) const;
   bool keeps(const Pose& from, const Pose& to, double room, int passes, const JointVector& cusp) const;
-  std::vector<Pose> shortened(const std::vector<Pose>& poses, double room, const JointVector& cusp,
-                              std::optional<std::size_t>& barred) const;
+  std::vector<Pose> shortened_beside_cusp(const std::vector<Pose>& poses, double room,
+                                          const JointVector& cusp, std::optional<std::size_t>& barred) const;
   JointVector values(const Pose& pose) const;
 
   const AspectMap& map_;

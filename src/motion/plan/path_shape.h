@@ -11,9 +11,9 @@
 
 namespace parallel_aspects {
 
-/// How near a path within one aspect comes to parallel singularities.
+/// Which path within one aspect is chosen: a short one, or one that keeps away from parallel singularities.
 struct PathShape {
-  bool is_wide = false;     ///< it is looked for along the largest indices; else along the shortest way
+  bool is_wide = false;     ///< it is searched along the largest indices; else along the shortest way
   double kept_share = 0.0;  ///< of the least index there, which it keeps when it is shortened
 
   friend bool operator==(const PathShape& a, const PathShape& b) {

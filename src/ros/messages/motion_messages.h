@@ -26,7 +26,7 @@ nav_msgs::Path path_message(const Manipulator& manipulator, const PlannedPath& p
 trajectory_msgs::JointTrajectory trajectory_message(const Manipulator& manipulator,
                                                     const std::vector<JointWaypoint>& waypoints);
 
-/// Writes what was planned into a result, its status aside.
+/// Writes the path, its changes of posture and its length into a result.
 void write_path(const Manipulator& manipulator, const PlannedPath& path, PlanPathResult& result);
 
 /// Writes what became of the trajectory into it.

@@ -37,7 +37,7 @@ Status read_wish(const Manipulator& manipulator, const PlanPathGoal& goal, ask::
 /// Why a question is refused, with the fields of messages.
 Status refused(const ask::ProblemList& problems);
 
-/// Writes what was planned into a result, its status aside.
+/// Writes the whole answer but its status into a result: the path, its times and what to know of it.
 void write_answer(const Manipulator& manipulator, const ask::PlanAnswer& answer, PlanPathResult& result);
 
 }  // namespace parallel_aspects
