@@ -24,8 +24,8 @@ constexpr const char* footer =
     "\nExit codes: 0 done, 1 the robot, a file or a value was refused, 2 an argument is missing or not "
     "understood,\n"
     "3 a question is open that only you can answer, or `check`, `choose` or `plan` proved that the answer is "
-    "no, 4 they do not "
-    "know, 130 ended by Ctrl-C. Results go to the standard output, "
+    "no (`check`: or too fast), 4 neither is "
+    "proved, 130 ended by Ctrl-C. Results go to the standard output, "
     "problems to the standard error, one a line.\n";
 
 bool is_interrupted(const Surroundings& surroundings) {
@@ -43,7 +43,7 @@ int print(const std::string& text, const Surroundings& surroundings) {
 int ask(const Report& question, const Surroundings& surroundings) {
   (surroundings.json ? surroundings.output : surroundings.messages)
       << (surroundings.json ? to_text(question.json) : question.text) << std::flush;
-  return exit_code::undecided;
+  return exit_code::needs_answer;
 }
 
 int perform(const Subcommand& subcommand, const Surroundings& surroundings) {

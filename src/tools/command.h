@@ -12,11 +12,11 @@ namespace parallel_aspects::tools {
 /// Exit codes of the command.
 namespace exit_code {
 inline constexpr int ok = 0;
-inline constexpr int bad_input = 1;      ///< the robot, a file or a value was refused
-inline constexpr int bad_usage = 2;      ///< the command line was not understood, or an argument is missing
-inline constexpr int undecided = 3;      ///< a question is open that only the user can answer
-inline constexpr int unsafe = 3;         ///< `check`, `choose`, `plan`: the answer is no, proved
-inline constexpr int unknown = 4;        ///< `check`, `choose`, `plan`: neither yes nor no is proved
+inline constexpr int bad_input = 1;     ///< the robot, a file or a value was refused
+inline constexpr int bad_usage = 2;     ///< the command line was not understood, or an argument is missing
+inline constexpr int needs_answer = 3;  ///< `setup`: a question is open that only the user can answer
+inline constexpr int proved_no = 3;   ///< `check`, `choose`, `plan`: no, proved; `check`: or too fast, proved
+inline constexpr int not_proved = 4;  ///< `check`, `choose`, `plan`: neither yes nor no is proved
 inline constexpr int interrupted = 130;  ///< by Ctrl-C
 }  // namespace exit_code
 

@@ -85,10 +85,10 @@ std::string check_text(const Manipulator& manipulator, const TrajectoryCheck& ch
 /// Velocity limits count as well.
 int code_of(const Manipulator& manipulator, const TrajectoryCheck& check) {
   if (check.answer == TrajectoryAnswer::unsafe || !exceeded_speeds(manipulator, check, true).empty())
-    return exit_code::unsafe;
+    return exit_code::proved_no;
   const bool proved =
       check.answer == TrajectoryAnswer::safe && exceeded_speeds(manipulator, check, false).empty();
-  return proved ? exit_code::ok : exit_code::unknown;
+  return proved ? exit_code::ok : exit_code::not_proved;
 }
 
 std::string distances_text(const Manipulator& manipulator, const ask::CheckAnswer& answer) {

@@ -19,8 +19,8 @@ struct ChooseArguments : QuestionArguments {
 
 int code_of(TrajectoryAnswer answer) {
   return answer == TrajectoryAnswer::safe     ? exit_code::ok
-         : answer == TrajectoryAnswer::unsafe ? exit_code::unsafe
-                                              : exit_code::unknown;
+         : answer == TrajectoryAnswer::unsafe ? exit_code::proved_no
+                                              : exit_code::not_proved;
 }
 
 Report report_of(const ChooseArguments& arguments, const Surroundings& surroundings) {

@@ -65,7 +65,7 @@ TEST_F(CheckCommand, SafePathIsProved) {
 
 TEST_F(CheckCommand, UnsafePathHasAnExitCodeAndTheTime) {
   const Outcome outcome = check_path("x,time,y\n4.5,0,8\n-30,2,8\n", {"--json"});
-  ASSERT_EQ(outcome.code, exit_code::unsafe) << outcome.messages;
+  ASSERT_EQ(outcome.code, exit_code::proved_no) << outcome.messages;
   const json result = json::parse(outcome.output);
   EXPECT_EQ(result.at("answer"), "no");
   const json& violation = result.at("first_violation");
@@ -74,7 +74,7 @@ TEST_F(CheckCommand, UnsafePathHasAnExitCodeAndTheTime) {
   EXPECT_LE(violation.at("after").get<double>(), violation.at("before").get<double>());
   EXPECT_EQ(result.at("crossings").size(), 1U);
   const Outcome text = check_path("t,x,y\n0,4.5,8\n2,-30,8\n");
-  EXPECT_EQ(text.code, exit_code::unsafe);
+  EXPECT_EQ(text.code, exit_code::proved_no);
   EXPECT_NE(text.output.find("safe: no"), std::string::npos) << text.output;
 }
 
@@ -82,7 +82,7 @@ TEST_F(CheckCommand, AStartBeyondALimitIsNoBracket) {
   const std::string path =
       file("time,x,y\n7,1,1\n8,1,2\n");  // strut 1 is 1.41 m long, and its limits 2 and 6
   const Outcome outcome = run({"check", "bipod", "--path", path.c_str(), "--mode", "(+,+)", "--json"});
-  ASSERT_EQ(outcome.code, exit_code::unsafe) << outcome.messages << outcome.output;
+  ASSERT_EQ(outcome.code, exit_code::proved_no) << outcome.messages << outcome.output;
   const json violation = json::parse(outcome.output).at("first_violation");
   EXPECT_EQ(violation.at("after"), 7.0);
   EXPECT_EQ(violation.at("before"), 7.0);
@@ -125,7 +125,7 @@ TEST_F(CheckCommand, SamplesAreWrittenAsATableAndAPicture) {
 TEST_F(CheckCommand, MarginsAreChecked) {
   const std::string path = "t,x,y\n0,4.5,8\n1,4.5,30\n";
   const Outcome outcome = check_path(path, {"--margin", "parallel=0.5", "--json"});
-  ASSERT_EQ(outcome.code, exit_code::unsafe) << outcome.messages;
+  ASSERT_EQ(outcome.code, exit_code::proved_no) << outcome.messages;
   const json result = json::parse(outcome.output);
   EXPECT_EQ(result.at("first_violation").at("constraint"), "margins");
 }
@@ -169,7 +169,7 @@ TEST_F(CheckCommand, JointsAreFollowedFromTheStart) {
         ambiguous.messages.substr(from, ambiguous.messages.find_first_of("\")", from) - from);
     stated.insert(stated.end(), {option.substr(0, 12).c_str(), value.c_str()});
     const Outcome followed = run(stated);
-    EXPECT_TRUE(followed.code == exit_code::ok || followed.code == exit_code::unsafe) << followed.messages;
+    EXPECT_TRUE(followed.code == exit_code::ok || followed.code == exit_code::proved_no) << followed.messages;
     stated = arguments;
   }
   stated.insert(stated.end(), {"--start-pose", "4.5 8"});
@@ -247,7 +247,7 @@ TEST_F(CheckCommand, TurnsOfHalfATurnOrMoreNeedWaypointsInBetween) {
 
 TEST_F(CheckCommand, ATrajectoryThatIsTooFastIsNotSafe) {
   const Outcome outcome = check_path("t,x,y\n0,4.5,8\n0.001,4.6,8\n");
-  EXPECT_EQ(outcome.code, exit_code::unsafe);
+  EXPECT_EQ(outcome.code, exit_code::proved_no);
   EXPECT_NE(outcome.output.find("Too fast: joint '"), std::string::npos) << outcome.output;
   EXPECT_NE(outcome.output.find("safe: yes, but too fast\n"), std::string::npos) << outcome.output;
 }

@@ -73,7 +73,7 @@ TEST_F(ChooseCommand, TheBestWorkingModeComesFirst) {
 }
 
 TEST_F(ChooseCommand, ChangesOfPostureAreToldWithTheirPlace) {
-  EXPECT_EQ(choose(long_path).code, exit_code::unsafe);
+  EXPECT_EQ(choose(long_path).code, exit_code::proved_no);
   const Outcome outcome = choose(long_path, {"--changes", "--json"});
   ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages;
   const json result = json::parse(outcome.output);
@@ -89,7 +89,7 @@ TEST_F(ChooseCommand, ChangesOfPostureAreToldWithTheirPlace) {
 
 TEST_F(ChooseCommand, APathOutOfReachIsNo) {
   const Outcome outcome = choose("time,x,y\n0,3,60\n1,5,7\n", {"--changes"});
-  EXPECT_EQ(outcome.code, exit_code::unsafe);
+  EXPECT_EQ(outcome.code, exit_code::proved_no);
   EXPECT_NE(outcome.output.find("with changes of posture: no"), std::string::npos) << outcome.output;
 }
 
@@ -99,7 +99,7 @@ TEST_F(ChooseCommand, RegionsAreTConnectedOrNot) {
   EXPECT_GT(yes.at("modes")[0].at("least_index").at("lower").get<double>(), 0.0);
   EXPECT_EQ(yes.at("region").at("lower").at("x"), 3.0);
   const Outcome no = run({"choose", "five_bar", "--region", "x=-3:12 y=-10:10", "--json"});
-  EXPECT_EQ(no.code, exit_code::unsafe);
+  EXPECT_EQ(no.code, exit_code::proved_no);
   EXPECT_EQ(json::parse(no.output).at("apart").size(), 2U);
   const json line = test::run_json({"choose", "five_bar", "--region", "x=3:6", "--slice", "y=7"});
   EXPECT_EQ(line.at("answer"), "yes");

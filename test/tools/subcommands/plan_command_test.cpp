@@ -120,7 +120,7 @@ TEST_F(GraphCommand, IsDrawnAsSvg) {
 TEST_F(PlanCommand, PassesAGateWhereThatIsAllowed) {
   const std::vector<const char*> question{"plan",  "five_bar", "--from", "4.5 8",     "--from-mode",
                                           "(+,+)", "--to",     "4.5 -8", "--to-mode", "(-,+)"};
-  EXPECT_EQ(run(question).code, exit_code::unsafe);
+  EXPECT_EQ(run(question).code, exit_code::proved_no);
   std::vector<const char*> serial = question;
   serial.insert(serial.end(), {"--policy", "serial"});
   const json path = run_json(serial);
@@ -262,7 +262,7 @@ TEST_F(PlanCommand, RefusesNumbersThatProofsDoNotReach) {
 TEST_F(PlanCommand, NamesALegThatIsStretchedOrFolded) {
   for (const char* end : {"3 0", "13 0", "0 -3"}) {
     const Outcome outcome = run({"plan", "five_bar", "--from", end, "--to", "4 6"});
-    EXPECT_EQ(outcome.code, exit_code::unsafe);
+    EXPECT_EQ(outcome.code, exit_code::proved_no);
     EXPECT_NE(outcome.output.find("leg 'leg_1' is stretched or folded there (B_jj = 0)"), std::string::npos)
         << outcome.output;
   }
@@ -279,11 +279,11 @@ TEST_F(PlanCommand, RefusesEndsThatNoAspectHoldsBeforeTheMap) {
     return run(rest);
   };
   const Outcome far = to({"5 5 5"});
-  EXPECT_EQ(far.code, exit_code::unsafe);
+  EXPECT_EQ(far.code, exit_code::proved_no);
   EXPECT_NE(far.output.find("no aspect holds the goal: leg 'leg_1' cannot reach it."), std::string::npos)
       << far.output;
   const Outcome margin = to({"0 0 -0.9", "--margin", "parallel=0.9"});
-  EXPECT_EQ(margin.code, exit_code::unsafe);
+  EXPECT_EQ(margin.code, exit_code::proved_no);
   EXPECT_NE(margin.output.find("Proved: no aspect holds the start: in (-,-,-) the parallel index is"),
             std::string::npos)
       << margin.output;
@@ -358,7 +358,7 @@ TEST_F(PlanCommand, NamesAStartInTheComponentOfACusp) {
   other.insert(other.end(), {"--from-aspect", "2"});
   const Outcome none = run(other);
   const std::string& text = none.output;
-  EXPECT_EQ(none.code, exit_code::unknown);
+  EXPECT_EQ(none.code, exit_code::not_proved);
   EXPECT_NE(text.find("found in component 2, which holds the start."), std::string::npos) << text;
   EXPECT_NE(text.find("Cusp 6 belongs to component 3;"), std::string::npos) << text;
   const std::string pose = quoted_behind("--from", text), values = quoted_behind("values are", text);

@@ -158,7 +158,7 @@ TEST_F(SetupCommand, ReportsTheFileThatExistsLast) {
 TEST_F(SetupCommand, TakesAPlaceInALink) {
   const std::string half = urdf("test/data/setup/half_blunt_three_rrr.urdf");
   const Outcome asked = run({"setup", half.c_str(), "-o", output_.c_str()});
-  EXPECT_EQ(asked.code, exit_code::undecided);
+  EXPECT_EQ(asked.code, exit_code::needs_answer);
   const std::string shown = "corner_1=shank_1_end corner_2=shank_2@X:Y:Z corner_3=shank_3@X:Y:Z";
   EXPECT_NE(asked.messages.find("--closures '" + shown + "'"), std::string::npos) << asked.messages;
   const std::string closures = "corner_1=shank_1_end corner_2=shank_2@0.28:0:0 corner_3=shank_3@0.28:0:0";
@@ -178,7 +178,7 @@ TEST_F(SetupCommand, NeverReplacesTheUrdf) {
 
 TEST_F(SetupCommand, WithoutATerminalAQuestionIsAllThatIsWritten) {
   const Outcome outcome = run({"setup", unnamed_.c_str(), "-o", output_.c_str()});
-  EXPECT_EQ(outcome.code, exit_code::undecided);
+  EXPECT_EQ(outcome.code, exit_code::needs_answer);
   EXPECT_EQ(outcome.output, "");
   EXPECT_FALSE(fs::exists(output_));
   const std::string option = "--closures 'ash=blue_tip oak=green_tip'";
@@ -196,7 +196,7 @@ TEST_F(SetupCommand, OnATerminalItAsks) {
   EXPECT_NE(written().find("[oak, blue_tip]"), std::string::npos) << written();
   for (const char* typed : {"", "\n", "3\n", "0\n", "-1\n", "all\n"})
     EXPECT_EQ(answered({"setup", unnamed_.c_str(), "-o", output_.c_str(), "--replace"}, typed).code,
-              exit_code::undecided)
+              exit_code::needs_answer)
         << typed;
 }
 
@@ -209,7 +209,7 @@ TEST_F(SetupCommand, JsonListsAndWritesOnlyWhereAFileIsNamed) {
   EXPECT_EQ(test::run_json({"setup", five_bar_.c_str(), "-o", output_.c_str()})["written"], output_);
   EXPECT_EQ(written(), report["config"]);
   const Outcome asked = run({"setup", unnamed_.c_str(), "--json"});
-  EXPECT_EQ(asked.code, exit_code::undecided);
+  EXPECT_EQ(asked.code, exit_code::needs_answer);
   const json question = json::parse(asked.output, nullptr, false);
   EXPECT_EQ(question["status"], "undecided");
   EXPECT_EQ(question["question"]["candidates"].size(), 2U);
@@ -220,7 +220,7 @@ TEST_F(SetupCommand, DescribeDoesTheSameWithoutWriting) {
   EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages;
   EXPECT_NE(outcome.output.find("task space T2"), std::string::npos);
   EXPECT_NE(outcome.output.find("Nothing is written"), std::string::npos);
-  EXPECT_EQ(run({"describe", "--urdf", unnamed_.c_str()}).code, exit_code::undecided);
+  EXPECT_EQ(run({"describe", "--urdf", unnamed_.c_str()}).code, exit_code::needs_answer);
 }
 
 TEST_F(SetupCommand, BadAnswersAreOneSentenceEach) {
