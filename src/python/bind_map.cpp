@@ -16,11 +16,11 @@ namespace py = pybind11;
 
 /// Of a roadmap its fields.
 py::object mapped(const CoreRobot& robot, const ask::MapQuestion& question, const py::object& progress) {
-  SharedSession questions(robot.manipulator);
+  SharedSession questions(robot);
   const ask::MapAnswer answer = answered(questions, question, progress);
   py::dict fields = dict_of(*robot.manipulator, answer);
   if (answer.sampled) return std::move(fields);
-  return py::cast(CoreMap(answer.map, std::move(fields)));
+  return py::cast(CoreMap(robot, answer.map, std::move(fields)));
 }
 
 py::object compute(const CoreRobot& robot, const py::dict& keywords, const py::object& progress) {

@@ -81,8 +81,7 @@ py::list fields(const std::string& name) {
 
 py::dict ask_robot(const CoreRobot& robot, const std::string& question, const py::dict& keywords,
                    const py::object& progress) {
-  SharedSession shared(robot.manipulator);
-  shared.session.know(robot.mechanism);
+  SharedSession shared(robot);
   return questions().at(question).ask(shared, keywords, progress);
 }
 

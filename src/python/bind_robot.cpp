@@ -52,7 +52,8 @@ std::vector<std::string> robots() {
 }
 
 py::tuple loaded(const SharedMechanism& mechanism) {
-  return py::make_tuple(CoreRobot{mechanism->mapped_manipulator(), mechanism}, mechanism->notes());
+  return py::make_tuple(CoreRobot{mechanism->mapped_manipulator(), mechanism, mechanism->acceleration()},
+                        mechanism->notes());
 }
 
 py::tuple load(const std::string& name) {
@@ -105,14 +106,14 @@ CoreRobot constrained(const CoreRobot& robot, const py::dict& keywords) {
   const auto choice = read_question<ask::ConstraintChoice>(*robot.manipulator, keywords);
   auto chosen = ask::constrained(robot.manipulator, choice, problems);
   refuse_any(texts_of(problems, ask::plain_name));
-  return {std::move(chosen)};
+  return {std::move(chosen), nullptr, robot.acceleration};
 }
 
 CoreRobot with_lengths(const CoreRobot& robot, const DesignValues& values, bool keep_ties) {
   std::vector<std::string> names;
   for (const auto& [name, value] : values) names.push_back(name);
   refuse_any(problems_of(*robot.manipulator, names, keep_ties));
-  return {with_design(*robot.manipulator, values, keep_ties)};
+  return {with_design(*robot.manipulator, values, keep_ties), nullptr, robot.acceleration};
 }
 
 void sweep(const CoreRobot& robot, const std::string& file, const py::dict& keywords, unsigned threads,

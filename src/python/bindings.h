@@ -24,11 +24,15 @@ namespace parallel_aspects::python {
 struct CoreRobot {
   std::shared_ptr<const Manipulator> manipulator;  ///< never null
   std::shared_ptr<const Mechanism> mechanism{};    ///< of a robot as it was loaded; else null
+  JointVector acceleration{};                      ///< see `Mechanism::acceleration`
 };
 
 /// Questions, one at a time.
 struct SharedSession {
-  explicit SharedSession(std::shared_ptr<const Manipulator> robot) : session(std::move(robot)) {}
+  explicit SharedSession(const CoreRobot& robot) : session(robot.manipulator) {
+    session.know(robot.mechanism);
+    session.set_acceleration({robot.acceleration});
+  }
   std::mutex busy;       ///< held while one is answered
   ask::Session session;  ///< keeps what answers have in common
 };
@@ -39,10 +43,10 @@ struct CoreMap {
   pybind11::dict fields;                     ///< of the answer that it came in
   std::shared_ptr<SharedSession> questions;  ///< that know it
 
-  CoreMap(std::shared_ptr<const AspectMap> computed, pybind11::dict answer)
+  CoreMap(const CoreRobot& robot, std::shared_ptr<const AspectMap> computed, pybind11::dict answer)
       : map(std::move(computed)),
         fields(std::move(answer)),
-        questions(std::make_shared<SharedSession>(map->manipulator())) {
+        questions(std::make_shared<SharedSession>(robot)) {
     questions->session.know(map);
   }
 

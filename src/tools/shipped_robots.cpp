@@ -164,13 +164,6 @@ MapSection load_map_section(const RobotChoice& choice, Problems& problems) {
   return section;
 }
 
-MotionSection load_motion_section(const RobotChoice& choice, std::size_t joints, Problems& problems) {
-  MotionSection section;
-  const std::string text = config_text(choice, section.file);
-  section.config = read_motion_config(text, section.file, joints, problems);
-  return section;
-}
-
 std::shared_ptr<const Mechanism> load_robot(const RobotChoice& choice, Problems known) {
   if (const std::string missing = misplaced_argument(choice); !missing.empty()) throw UsageError(missing);
   try {

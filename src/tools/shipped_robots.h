@@ -55,15 +55,6 @@ struct MapSection {
 /// files of no use `load_robot` tells.
 MapSection load_map_section(const RobotChoice& choice, Problems& problems);
 
-/// What the actuators of a robot can do, as its files say.
-struct MotionSection {
-  MotionConfig config;
-  std::string file;  ///< that it stands in
-};
-
-/// The section `motion`, likewise, of a robot with so many actuated joints.
-MotionSection load_motion_section(const RobotChoice& choice, std::size_t joints, Problems& problems);
-
 }  // namespace parallel_aspects::tools
 
 #endif  // PARALLEL_ASPECTS_TOOLS_SHIPPED_ROBOTS_H

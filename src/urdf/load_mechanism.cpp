@@ -7,6 +7,7 @@
 #include "urdf/closing/freedom.h"
 #include "urdf/closing/planar_layers.h"
 #include "urdf/closing/resolved_config.h"
+#include "urdf/config/map_and_motion_config.h"
 #include "urdf/config/mechanism_config.h"
 #include "urdf/corrections/edits.h"
 #include "urdf/description/yaml_values.h"
@@ -233,9 +234,10 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   if (!problems.empty()) throw InvalidDescription(problems);
   auto contents =
       recognise_named({std::make_shared<const Tree>(std::move(*tree)), config, resolved}, files, search);
-  Problems of_constraints;
-  add_stated_constraints(config.constraints, config.symmetrize, files, *contents, of_constraints);
-  if (!of_constraints.empty()) throw InvalidDescription(of_constraints);
+  add_stated_constraints(config.constraints, config.symmetrize, files, *contents, problems);
+  contents->acceleration =
+      read_acceleration(config_text, config_name, contents->manipulator->leg_count(), problems);
+  if (!problems.empty()) throw InvalidDescription(problems);
   find_home(config, files, *contents);
   take_tolerance(config.tolerance, files, *contents);
   if (search.looks_for_remedies)

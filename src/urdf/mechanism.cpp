@@ -50,6 +50,7 @@ const std::vector<std::string>& Mechanism::joint_names() const noexcept { return
 const std::vector<JointLimits>& Mechanism::joint_limits() const noexcept { return contents_->joint_limits; }
 const std::vector<std::string>& Mechanism::notes() const noexcept { return notes_; }
 const std::vector<Note>& Mechanism::notes_in_pieces() const noexcept { return contents_->notes; }
+const JointVector& Mechanism::acceleration() const noexcept { return contents_->acceleration; }
 int Mechanism::mobility() const noexcept { return contents_->mobility; }
 int Mechanism::idle_degrees_of_freedom() const noexcept { return contents_->idle_degrees_of_freedom; }
 

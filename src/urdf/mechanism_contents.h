@@ -29,6 +29,7 @@ struct Mechanism::Contents {
   bool point_platform = false;                   ///< see `PlatformMotion`
   SymmetricLegs symmetric{};                     ///< by `mechanism.symmetrize` or in decimals: the motions
   std::optional<AssembledConfiguration> home{};  ///< see `Mechanism::home`
+  JointVector acceleration{};                    ///< see `Mechanism::acceleration`
 
   std::optional<std::size_t> joint_outside_limits(
       const Eigen::Ref<const Eigen::VectorXd>& positions) const noexcept;

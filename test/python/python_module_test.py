@@ -193,6 +193,20 @@ def test_planned_segments_keep_the_sign(robot, aspects):
     assert pa.load("stewart").plan((0, 0, 1.3, 0, 0, 0, 1), (0, 0, 1.2, 0, 0, 0, 1), samples=20).poses.shape[1] == 7
 
 
+def test_acceleration_is_that_of_the_yaml(robot, tmp_path):
+    stated = [robot, robot.constrained(tolerance=0.001), robot.with_lengths({"rod_1": 5.1}), robot.map(resolution=0.5)]
+    for each in stated:
+        assert each.plan((4.5, 8), (4.4, 8), prefer="fast").seconds > 0
+    yaml = (ROOT / "config" / "robots" / "five_bar.yaml").read_text()
+    (tmp_path / "five_bar.yaml").write_text(yaml.replace("  acceleration: [10.0, 10.0]", ""))
+    unstated = pa.load(ROOT / "urdf" / "five_bar.urdf", tmp_path / "five_bar.yaml")
+    with pytest.raises(pa.InvalidDescription, match="prefer fast needs acceleration"):
+        unstated.plan((4.5, 8), (4.4, 8), prefer="fast")
+    (tmp_path / "five_bar.yaml").write_text(yaml.replace("[10.0, 10.0]", "[10.0]"))
+    with pytest.raises(pa.InvalidDescription, match="motion.acceleration"):
+        pa.load(ROOT / "urdf" / "five_bar.urdf", tmp_path / "five_bar.yaml")
+
+
 def test_paths_know_what_the_command_knows(robot):
     fast = robot.plan((4.5, 8), (4, 6), prefer="fast", acceleration=(100, 100))
     assert fast.prefer == "fast" and fast.seconds > 0 and fast.trajectory["q"].shape[1] == 2
@@ -324,7 +338,6 @@ BAD = {
     "times has 1": lambda robot, aspects: robot.check([0], [(4.5, 8), (4, 8)], "(+,-)"),
     "shape is 'disk'": lambda robot, aspects: aspects.workspace("disk"),
     "aspect is 11": lambda robot, aspects: aspects.workspace("disc", [11]),
-    "prefer fast needs acceleration": lambda robot, aspects: robot.plan((4.5, 8), (4, 8), prefer="fast"),
     "around_cusp is of robots": lambda robot, aspects: robot.plan((4.5, 8), around_cusp=1),
     "goal is required": lambda robot, aspects: robot.plan((4.5, 8)),
     "samples and seed are for roadmaps": lambda robot, aspects: aspects.plan((4.5, 8), (4, 8), samples=10),

@@ -62,6 +62,10 @@ class Mechanism {
   /// Limits of all `joint_names()` [rad or m].
   const std::vector<JointLimits>& joint_limits() const noexcept;
 
+  /// The fastest change of velocity of each actuated joint, as `motion.acceleration` of the YAML states it
+  /// [rad/s^2 or m/s^2]; positive, or empty where it is not stated.
+  const JointVector& acceleration() const noexcept;
+
   /// Degrees of freedom of the closed mechanism, from the rank of its closures at `assembled()`.
   int mobility() const noexcept;
 

@@ -58,7 +58,7 @@ void PlanServer::shutdown() {
 
 ask::Acceleration PlanServer::acceleration_for(const PlanPathGoal& goal) const {
   if (goal.path_only) return {};
-  return {setup_.options.acceleration, "set the parameter ~motion/acceleration and reload",
+  return {setup_.mechanism->acceleration(), "set the parameter ~motion/acceleration and reload",
           goal.prefer == PlanPathGoal::FAST ? "" : "ask with path_only"};
 }
 

@@ -2,7 +2,6 @@
 #include "ros/parameters/load_options.h"
 
 #include "ros/parameters/parameter_reader.h"
-#include "urdf/config/map_and_motion_config.h"
 
 #include <ros/param.h>
 #include <yaml-cpp/yaml.h>
@@ -174,7 +173,7 @@ std::string urdf_from(const std::string& parameter, Problems& problems) {
   return {};
 }
 
-// What is under `prefix` for the loader: `mechanism`, and `constraints` where there are some.
+// What is under `prefix` for the loader: `mechanism`, `constraints` and `motion` where there are some.
 NodeSetup setup_from(const ros::NodeHandle& nh, const XmlRpcValue& parameters, const std::string& prefix,
                      NodeOptions options) {
   const std::string description_name = prefix + "mechanism";
@@ -187,22 +186,12 @@ NodeSetup setup_from(const ros::NodeHandle& nh, const XmlRpcValue& parameters, c
                        " is not there; load config/robots/ROBOT.yaml into the node's namespace.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   XmlRpcValue document;
-  for (const char* part : {"mechanism", "constraints"})
+  for (const char* part : {"mechanism", "constraints", "motion"})
     if (parameters.hasMember(part)) document[part] = parameters[part];
   const std::string description = yaml_text(document);
   SharedMechanism mechanism =
       load_mechanism(urdf, urdf_name, description, prefix.substr(0, prefix.size() - 1), options.frame_prefix);
   return {std::move(mechanism), std::move(options), urdf, description};
-}
-
-// As in the YAML of a robot.
-JointVector acceleration_from(const XmlRpcValue& parameters, const std::string& prefix, std::size_t joints,
-                              Problems& problems) {
-  if (!parameters.hasMember("motion")) return {};
-  XmlRpcValue document;
-  document["motion"] = parameters["motion"];
-  return read_motion_config(yaml_text(document), prefix.substr(0, prefix.size() - 1), joints, problems)
-      .acceleration;
 }
 
 void append(const Problems& found, Problems& problems) {
@@ -253,7 +242,6 @@ NodeSetup load_setup(const ros::NodeHandle& nh, const ros::NodeHandle& private_n
   try {
     NodeSetup setup = setup_from(nh, parameters, prefix, std::move(options));
     const Manipulator& manipulator = *setup.mechanism->manipulator();
-    setup.options.acceleration = acceleration_from(parameters, prefix, manipulator.leg_count(), problems);
     append(problems_of(setup.options, manipulator, prefix), problems);
     if (setup.options.frame_prefix.empty()) setup.options.frame_prefix = manipulator.name();
     if (problems.empty()) return setup;

@@ -84,8 +84,6 @@ struct NodeOptions {
   GuardParameters guard;
   ProbeOptions probe;
   UniquenessParameters uniqueness;
-  /// Of the actuated joints, for paths in time [rad/s^2 or m/s^2]; empty where it is not stated.
-  JointVector acceleration;
   double distance_rate = 50.0;        ///< how often distances are measured [Hz], 0.1 to 1000
   double joint_states_timeout = 0.5;  ///< age at which the last sample is stale [s], 0.001 to 3600
   /// Of messages with some of the actuated joints: two values of an actuated joint are no farther apart [s],

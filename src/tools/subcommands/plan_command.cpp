@@ -44,27 +44,16 @@ ask::PlanQuestion read(const PlanArguments& arguments, const Manipulator& robot)
   return question;
 }
 
-/// With the acceleration limits of the robot's YAML.
-ask::Session session_of(const PlanArguments& arguments, std::shared_ptr<const Manipulator> robot) {
-  Problems problems;
-  const MotionSection section = load_motion_section(arguments.robot, robot->leg_count(), problems);
-  if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  ask::Session session(std::move(robot));
-  session.set_acceleration({section.config.acceleration,
-                            "write motion.acceleration into " + section.file + ", or give {acceleration}"});
-  return session;
-}
-
 int code_of(SameAspect answer) {
   switch (answer) {
     case SameAspect::yes:
       return exit_code::ok;
     case SameAspect::no:
-      return exit_code::unsafe;
+      return exit_code::proved_no;
     case SameAspect::unknown:
       break;
   }
-  return exit_code::unknown;
+  return exit_code::not_proved;
 }
 
 /// Writes the path in time, where that is asked for: unknown where there is none then.
@@ -80,14 +69,19 @@ void write_trajectory(const PlanArguments& arguments, const Manipulator& robot, 
         "Trajectory", file,
         ends_with(file, ".csv") ? trajectory_csv(robot, waypoints) : trajectory_yaml(robot, waypoints));
   }
-  if (answer.timed) report.exit_code = exit_code::unknown;
+  if (answer.timed) report.exit_code = exit_code::not_proved;
   surroundings.messages << file << " is not written; what it may hold is older." << std::endl;
 }
 
 Report report_of(const PlanArguments& arguments, const Surroundings& surroundings) {
-  const auto robot = robot_of(arguments);
+  const auto mechanism = load_robot(arguments.robot);
+  const auto robot = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   const ask::PlanQuestion question = read(arguments, *robot);
-  ask::Session session = session_of(arguments, robot);
+  ask::Session session(robot);
+  const std::string file = arguments.robot.config_file();
+  session.set_acceleration({mechanism->acceleration(), "write motion.acceleration into " +
+                                                           (file.empty() ? "the robot's YAML" : file) +
+                                                           ", or give {acceleration}"});
   const ask::PlanAnswer answer =
       required(ask::answer(session, question, ShownAnswering(surroundings).control()));
   Report report = constrained_report(*robot, answer, plan_text(*robot, answer) + '\n');

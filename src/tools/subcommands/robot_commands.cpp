@@ -162,7 +162,6 @@ std::shared_ptr<const Mechanism> load_checked(const RobotChoice& robot) {
   const MapSection section = load_map_section(robot, problems);
   auto mechanism = load_robot(robot, problems);
   resolve_region(section.config, mechanism->manipulator()->task_space(), section.file, problems);
-  load_motion_section(robot, mechanism->manipulator()->leg_count(), problems);
   if (!problems.empty()) throw InvalidDescription(problems);
   return mechanism;
 }

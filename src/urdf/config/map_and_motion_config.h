@@ -34,18 +34,12 @@ MapConfig read_map_config(const std::string& text, const std::string& file, Prob
 std::optional<Box> resolve_region(const MapConfig& config, TaskSpace space, const std::string& file,
                                   Problems& problems);
 
-/// The `motion:` part of a robot's YAML file: what its actuators can do that the URDF does not say.
-struct MotionConfig {
-  /// The fastest change of velocity of each actuated joint, in the order of `mechanism.actuated_joints`
-  /// [rad/s^2 or m/s^2]; positive. Empty where it is not stated.
-  JointVector acceleration;
-};
-
-/// Reads it from the text of the whole file, of a robot with so many actuated joints. What is wrong is added
-/// to `problems`, each a message that names `file` and the key. Text that is no YAML gives nothing:
-/// `load_mechanism` tells of that.
-MotionConfig read_motion_config(const std::string& text, const std::string& file, std::size_t joints,
-                                Problems& problems);
+/// `motion.acceleration` of a robot's YAML file, what its actuators can do that the URDF does not say: the
+/// fastest change of velocity of each of so many actuated joints, in the order of `mechanism.actuated_joints`
+/// [rad/s^2 or m/s^2]; positive, and empty where it is not stated. Reads it from the text of the whole file,
+/// as `read_map_config` does.
+JointVector read_acceleration(const std::string& text, const std::string& file, std::size_t joints,
+                              Problems& problems);
 
 }  // namespace parallel_aspects
 

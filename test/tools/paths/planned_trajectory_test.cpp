@@ -74,7 +74,7 @@ TEST_F(PlannedTrajectory, IsSafeWhereItIsCheckedAgain) {
     std::vector<const char*> check{"check",        "five_bar", "--trajectory", file.c_str(),
                                    "--start-pose", "4.5 8",    "--json"};
     const Outcome refused = run(check);
-    EXPECT_EQ(refused.code, exit_code::unsafe) << refused.messages;
+    EXPECT_EQ(refused.code, exit_code::proved_no) << refused.messages;
     check.insert(check.end() - 1, {"--policy", "serial"});
     const Outcome outcome = run(check);
     EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages << outcome.output;

@@ -10,18 +10,18 @@ namespace {
 
 TEST(MotionConfig, HasAnAccelerationForEachActuatedJoint) {
   Problems problems;
-  const MotionConfig config =
-      read_motion_config("motion: {acceleration: [1.5, 20]}", "robot.yaml", 2, problems);
+  const JointVector acceleration =
+      read_acceleration("motion: {acceleration: [1.5, 20]}", "robot.yaml", 2, problems);
   EXPECT_TRUE(problems.empty());
-  ASSERT_EQ(config.acceleration.size(), 2);
-  EXPECT_EQ(config.acceleration[0], 1.5);
-  EXPECT_EQ(config.acceleration[1], 20.0);
+  ASSERT_EQ(acceleration.size(), 2);
+  EXPECT_EQ(acceleration[0], 1.5);
+  EXPECT_EQ(acceleration[1], 20.0);
 }
 
 TEST(MotionConfig, IsEmptyWhereNothingIsStated) {
   Problems problems;
   for (const char* text : {"", "map: {}", "motion:", "motion: {}", "{no yaml", "- list"})
-    EXPECT_EQ(read_motion_config(text, "robot.yaml", 2, problems).acceleration.size(), 0) << text;
+    EXPECT_EQ(read_acceleration(text, "robot.yaml", 2, problems).size(), 0) << text;
   EXPECT_TRUE(problems.empty());
 }
 
@@ -32,7 +32,7 @@ TEST(MotionConfig, SaysWhatIsWrong) {
                            "motion: {acceleration: [1, .nan]}", "motion: {acceleration: [1, fast]}",
                            "motion: {speed: [1, 1]}"}) {
     Problems problems;
-    EXPECT_EQ(read_motion_config(text, "robot.yaml", 2, problems).acceleration.size(), 0) << text;
+    EXPECT_EQ(read_acceleration(text, "robot.yaml", 2, problems).size(), 0) << text;
     ASSERT_EQ(problems.size(), 1U) << text;
     EXPECT_EQ(problems.front().rfind("robot.yaml ", 0), 0U) << problems.front();
   }
