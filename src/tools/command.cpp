@@ -91,8 +91,7 @@ int run(Program& program, const std::vector<std::string>& arguments, const Surro
     return print(program.name + " " + std::string(package_version) + "\n", surroundings);
   Surroundings chosen = surroundings;
   for (Subcommand& subcommand : program.subcommands)
-    subcommand.flags.push_back(
-        {"--json", "Print JSON, as documented in docs/reference/command.md", &chosen.json});
+    subcommand.flags.push_back({"--json", "Print JSON; `aspects fields` lists its fields", &chosen.json});
   const Subcommand& subcommand = find_subcommand(program, arguments.front());
   if (!parse_arguments(subcommand, {arguments.begin() + 1, arguments.end()}))
     return print(help_of(program.name, subcommand), surroundings);
@@ -106,7 +105,8 @@ Program aspects_program() {
            connect_subcommand(),   plan_subcommand(),     check_subcommand(),   choose_subcommand(),
            workspace_subcommand(), sweep_subcommand(),    merge_subcommand(),   chart_subcommand(),
            describe_subcommand(),  distance_subcommand(), inverse_subcommand(), direct_subcommand(),
-           jacobian_subcommand(),  plot_subcommand(),     robots_subcommand(),  uniqueness_subcommand()},
+           jacobian_subcommand(),  plot_subcommand(),     robots_subcommand(),  uniqueness_subcommand(),
+           fields_subcommand()},
           footer};
 }
 

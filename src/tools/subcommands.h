@@ -88,6 +88,7 @@ Subcommand choose_subcommand();
 Subcommand connect_subcommand();
 Subcommand describe_subcommand();
 Subcommand distance_subcommand();
+Subcommand fields_subcommand();
 Subcommand graph_subcommand();
 Subcommand inverse_subcommand();
 Subcommand jacobian_subcommand();
