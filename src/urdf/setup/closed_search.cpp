@@ -106,6 +106,7 @@ class ClosedSearch {
     if (!find_base()) {
       result_.problems.push_back(subject_.urdf_name + " has no joint that " + closures() +
                                  " move; name frames at the two ends of each loop with --closures.");
+      result_.is_refused = true;
       return result_;
     }
     const std::vector<Platform> all =
@@ -120,6 +121,7 @@ class ClosedSearch {
           ask_for_robot(all);
           return result_;
         }
+    result_.is_refused = !result_.problems.empty() || !result_.cut_short;
     if (result_.problems.empty()) result_.problems.push_back(reason_for_none());
     return result_;
   }
@@ -369,7 +371,7 @@ class ClosedSearch {
       if (type.held == 3) prefer_revolute();
       return true;
     }
-    return all_types && try_type("auto");
+    return false;
   }
 
   struct CountedType {
@@ -435,7 +437,7 @@ class ClosedSearch {
     result_.mechanism = loaded(result_.draft, problems);
     if (!result_.mechanism && result_.tried.empty()) result_.problems = problems;
     if (!result_.mechanism && is_new_platform()) result_.tried.push_back(result_.draft);
-    if (!result_.mechanism && result_.problems.empty()) result_.problems = {not_in_time()};
+    stopped();
     return result_.mechanism != nullptr;
   }
 

@@ -31,7 +31,7 @@ struct SetupSubject {
 struct SetupClosures {
   std::vector<Closure> all;
   std::size_t described = 0;
-  std::string dialect;  ///< of those
+  std::string dialect{};  ///< of those
 };
 
 /// What these closures came to: a mechanism, a question, or problems.
@@ -39,7 +39,8 @@ struct ClosedResult {
   SetupDraft draft;
   std::shared_ptr<const Mechanism> mechanism;
   std::optional<SetupQuestion> question;
-  Problems problems;  ///< of what was tried first
+  Problems problems;        ///< of what was tried first
+  bool is_refused = false;  ///< by these, and not for want of time
   std::vector<SetupDraft>
       tried;  ///< first, and then for other platforms; empty where there was nothing to try
   SetupClosures closures;

@@ -106,34 +106,31 @@ std::vector<bool> with_single_finger(const Tree& tree, const Bodies& bodies, std
   return left_open;
 }
 
-std::vector<std::array<std::string, 2>> ends_on_root(const Tree& tree, const Bodies& bodies,
-                                                     const SetupResult& found) {
+std::optional<Pairing> ends_on_root(const Tree& tree, const Bodies& bodies, const SetupResult& found) {
   const SetupCandidate* base = taken_for("base_link", found);
   const SetupCandidate* closures = taken_for("closures", found);
-  if (!found.mechanism || base == nullptr || closures == nullptr) return {};
+  if (!found.mechanism || base == nullptr || closures == nullptr) return std::nullopt;
   const std::size_t link = *tree.link_named(base->values.front());
   if (!any_says_base(tree, bodies.links(0)) || any_says_base(tree, bodies.links(bodies.of(link))) ||
       movable_joints_below(tree, link) < least_of_leg)
-    return {};
+    return std::nullopt;
   const Poses poses = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
-  std::vector<std::array<std::string, 2>> pairs;
-  for (const std::size_t end : links_of_closures(tree, *closures))
-    pairs.push_back({placed_name(tree.links.front(), poses[end].translation()), tree.links[end]});
-  return pairs;
+  Pairing on_root{{}, "where they are while all joints are zero, so that the chain is a leg"};
+  for (const std::size_t end : links_of_closures(tree, *closures)) {
+    on_root.pairs.push_back({0, end});
+    on_root.pairs.back().in_link[0].translation() = poses[end].translation();
+  }
+  return on_root.pairs.empty() ? std::nullopt : std::optional<Pairing>(on_root);
 }
 
-SetupQuestion question_of_leg(const SetupResult& found,
-                              const std::vector<std::array<std::string, 2>>& on_root,
+SetupQuestion question_of_leg(const SetupResult& found, const SetupCandidate& on_root,
                               const std::string& urdf_name) {
-  const std::string& base = taken_for("base_link", found)->values.front();
-  SetupCandidate with_leg{{}, "where they are while all joints are zero, so that the chain is a leg"};
-  for (const auto& [place, end] : on_root) with_leg.values.push_back(place + "=" + end);
   SetupCandidate without = *taken_for("closures", found);
   without.reason += ", and the chain is left out";
   return {"closures",
-          urdf_name + " does not say whether the chain between the root and link '" + base +
-              "' is a leg, whose loops end on the root",
-          {with_leg, without},
+          urdf_name + " does not say whether the chain between the root and link '" +
+              taken_for("base_link", found)->values.front() + "' is a leg, whose loops end on the root",
+          {on_root, without},
           {}};
 }
 

@@ -5,9 +5,10 @@
 #include "parallel_aspects/urdf/mechanism.h"
 #include "urdf/description/tree.h"
 #include "urdf/setup/body_graph.h"
+#include "urdf/setup/open_ends.h"
 #include "urdf/setup/setup.h"
 
-#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,13 +31,11 @@ std::vector<bool> with_single_finger(const Tree& tree, const Bodies& bodies, std
 
 /// Where the root is called base, and the base that was found is not and stands on a chain of several joints
 /// of the root, which may be a leg: the ends of the closures that were found, each with the place on the root
-/// where it is while all joints are zero, as {"base@0:0.5:0", "tip_2"}. Nothing else.
-std::vector<std::array<std::string, 2>> ends_on_root(const Tree& tree, const Bodies& bodies,
-                                                     const SetupResult& found);
+/// where it is while all joints are zero. Nothing else.
+std::optional<Pairing> ends_on_root(const Tree& tree, const Bodies& bodies, const SetupResult& found);
 
-/// Whether that chain is left out, or a leg.
-SetupQuestion question_of_leg(const SetupResult& found,
-                              const std::vector<std::array<std::string, 2>>& on_root,
+/// Whether that chain is left out, or a leg, which the ends on the root make of it.
+SetupQuestion question_of_leg(const SetupResult& found, const SetupCandidate& on_root,
                               const std::string& urdf_name);
 
 /// Of planar robots: joints at the end of a chain that turn without moving anything else. They may be a wrist

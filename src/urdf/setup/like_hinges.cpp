@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/setup/like_hinges.h"
-
 #include "model/linear_algebra.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/planar_layers.h"
-#include "urdf/description/messages.h"
-#include "urdf/description/xml_values.h"
+#include "urdf/setup/open_ends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,12 +29,6 @@ Vector3d tidied(const Vector3d& direction) {
   direction.cwiseAbs().maxCoeff(&largest);
   const Vector3d along = std::copysign(1.0, direction[largest]) * Vector3d::Unit(largest);
   return (direction - along).norm() < along_coordinate ? along : direction;
-}
-
-// The link with its z along this direction.
-std::string turned_name(const std::string& link, const Vector3d& direction) {
-  const Eigen::Matrix3d turn = shortest_rotation(Vector3d::UnitZ(), direction).toRotationMatrix();
-  return placed_name(link, Vector3d::Zero(), roll_pitch_yaw(turn));
 }
 
 class LikeHinges {
@@ -92,24 +83,24 @@ const TreeJoint* hinge_of_platform(const Tree& tree, const Bodies& bodies, const
 
 }  // namespace
 
-std::vector<std::array<std::string, 2>> like_hinges(const Tree& tree, const Bodies& bodies,
-                                                    const Pairing& pairing) {
+std::optional<Pairing> like_hinges(const Tree& tree, const Bodies& bodies, const Pairing& pairing) {
   const TreeJoint* hinge = hinge_of_platform(tree, bodies, pairing);
   const Poses poses = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
   // In the plane balls do as well, which need no axes.
-  if (hinge == nullptr || common_normal(tree, poses, tree.movable)) return {};
+  if (hinge == nullptr || common_normal(tree, poses, tree.movable)) return std::nullopt;
   const LikeHinges like(tree, bodies, *hinge);
-  std::vector<std::array<std::string, 2>> pairs;
+  Pairing hinged{pairing.pairs,
+                 "the legs are alike, and this is the hinge by which one of them carries the platform"};
   bool any_turned = false;
-  for (const EndPair& pair : pairing.pairs) {
-    if (!like.ends_alike(pair.other)) return {};
+  for (EndPair& pair : hinged.pairs) {
+    if (!like.ends_alike(pair.other)) return std::nullopt;
     const auto axes = like.axes(pair);
-    for (const Vector3d& axis : axes)
-      any_turned = any_turned || axis.cross(Vector3d::UnitZ()).norm() > rank_tolerance;
-    pairs.push_back(
-        {turned_name(tree.links[pair.one], axes[0]), turned_name(tree.links[pair.other], axes[1])});
+    for (const std::size_t end : {0, 1}) {
+      any_turned = any_turned || axes[end].cross(Vector3d::UnitZ()).norm() > rank_tolerance;
+      pair.in_link[end].linear() = shortest_rotation(Vector3d::UnitZ(), axes[end]).toRotationMatrix();
+    }
   }
-  return any_turned ? pairs : std::vector<std::array<std::string, 2>>{};
+  return any_turned ? std::optional<Pairing>(hinged) : std::nullopt;
 }
 
 }  // namespace parallel_aspects

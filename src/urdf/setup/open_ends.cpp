@@ -83,7 +83,7 @@ class EndFinder {
   std::vector<EqualPairings> forced() {
     if (!begin()) return {};
     if (tips_.size() == 1 && anchors_.size() == 1)
-      add({Pairing{{{anchors_[0], tips_[0].front(), ""}}, "they are the only open ends"}});
+      add({Pairing{{{anchors_[0], tips_[0].front()}}, "they are the only open ends"}});
     return result_.pairings;
   }
 
@@ -269,7 +269,7 @@ class EndFinder {
       for (const std::size_t anchor : anchors_)
         if (distance(tip, anchor) < least - coincident * size_ || (!best && distance(tip, anchor) < least)) {
           least = distance(tip, anchor);
-          best = EndPair{anchor, tip, ""};
+          best = EndPair{anchor, tip};
         }
     if (!best) return best;
     for (const std::size_t anchor : anchors_) {
@@ -277,7 +277,7 @@ class EndFinder {
       if (!in_one_place(anchor, best->one) && other < distinct * least) return std::nullopt;
     }
     const auto anchor = anchor_at(*best, taken);
-    return anchor ? std::optional<EndPair>({*anchor, best->other, ""}) : std::nullopt;
+    return anchor ? std::optional<EndPair>({*anchor, best->other}) : std::nullopt;
   }
 
   // Of the anchors in the place of that of the pair, one with the axis of the tip, and one that is not taken.
@@ -322,7 +322,7 @@ class EndFinder {
     for (const std::size_t tip : tips)
       for (const std::size_t anchor : anchors_) {
         const int value = likeness.between(tip, anchor);
-        if (value > most) best = {anchor, tip, ""};
+        if (value > most) best = {anchor, tip};
         second = std::max(second, std::min(most, value));
         most = std::max(most, value);
       }
@@ -383,7 +383,7 @@ class EndFinder {
     const std::size_t leg = chosen.size();
     if (leg == tips_.size()) {
       Pairing pairing{{}, "an order of the open ends, without other evidence"};
-      for (std::size_t k = 0; k < leg; ++k) pairing.pairs.push_back({chosen[k], tips_[k].front(), ""});
+      for (std::size_t k = 0; k < leg; ++k) pairing.pairs.push_back({chosen[k], tips_[k].front()});
       orders.push_back(pairing);
       return;
     }

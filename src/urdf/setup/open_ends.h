@@ -6,16 +6,17 @@
 #include "urdf/description/tree.h"
 #include "urdf/setup/body_graph.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace parallel_aspects {
 
-/// Two links whose origins a closure may hold together, and the reason for it.
+/// Two links whose origins a closure may hold together, or frames in these.
 struct EndPair {
   std::size_t one = 0, other = 0;  ///< links
-  std::string reason;
+  std::array<Eigen::Isometry3d, 2> in_link{Eigen::Isometry3d::Identity(), Eigen::Isometry3d::Identity()};
 };
 
 /// One way to close all loops.
@@ -42,6 +43,11 @@ struct OpenEnds {
 /// once. Fingers and fittings are left open, by their names or as several on one joint each; only what they
 /// leave without a pairing that loads is closed by them.
 OpenEnds find_open_ends(const Tree& tree, const Bodies& bodies);
+
+/// Where a hinge carries the platform on one leg, and the other legs are like that one but for it: the pairs
+/// of a pairing with the axis that this hinge has in its leg, as it is while all joints are zero. Nothing
+/// where the axes are those of the frames.
+std::optional<Pairing> like_hinges(const Tree& tree, const Bodies& bodies, const Pairing& pairing);
 
 }  // namespace parallel_aspects
 

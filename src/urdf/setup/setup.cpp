@@ -3,11 +3,11 @@
 
 #include "urdf/closing/ends_of_loops.h"
 #include "urdf/description/nearest_name.h"
+#include "urdf/description/xml_values.h"
 #include "urdf/load_mechanism.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/setup/closed_search.h"
 #include "urdf/setup/left_open.h"
-#include "urdf/setup/like_hinges.h"
 #include "urdf/setup/open_ends.h"
 #include "urdf/setup/refusal.h"
 #include "urdf/setup/setup_config.h"
@@ -35,13 +35,15 @@ std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing) {
   std::vector<Closure> closures;
   for (const EndPair& pair : pairing.pairs)
     closures.push_back({tree.links[pair.one] + " - " + tree.links[pair.other],
-                        {LinkFrame{pair.one}, LinkFrame{pair.other}},
+                        {LinkFrame{pair.one, pair.in_link[0]}, LinkFrame{pair.other, pair.in_link[1]}},
                         ClosureType::automatic});
   return closures;
 }
 
 constexpr int least_of_arm = 3;             // joints: fewer are a turntable, or a rail with one
 constexpr std::size_t most_ends_named = 8;  // open ends of a refusal; of more it has the count
+
+using Refused = std::pair<const Pairing*, ClosedResult>;
 
 class Setup {
  public:
@@ -60,16 +62,6 @@ class Setup {
     note_unknown_joints();
   }
 
-  // With the axes that hinges of like legs have, where ends alone do not say them.
-  std::vector<std::array<std::string, 2>> closures_with_axes() const {
-    Problems unused;
-    if (!answers_.closures.empty() || !find_described_loops(source_, unused).loops.closures.empty())
-      return {};
-    const OpenEnds ends = find_open_ends(tree_, bodies_);
-    if (!ends.evident || ends.pairings.front().size() > 1) return {};
-    return like_hinges(tree_, bodies_, ends.pairings.front().front());
-  }
-
   SetupResult find() {
     check_answers();
     if (!result_.problems.empty()) return result_;
@@ -81,6 +73,13 @@ class Setup {
       return result_;
     }
     return open_ends();
+  }
+
+  // These ends as they are written, if a robot is made of them.
+  std::optional<SetupCandidate> loading(const Pairing& pairing) const {
+    const SetupCandidate candidate = described(pairing);
+    const bool loads = search_closed(subject_, {closures_of(tree_, pairing)}, candidate).mechanism != nullptr;
+    return loads ? std::optional<SetupCandidate>(candidate) : std::nullopt;
   }
 
  private:
@@ -205,28 +204,30 @@ class Setup {
            "'; only parallel robots are treated, and the loops that it carries make none.";
   }
 
-  // By half of the work, so that the other half is for why they make no robot.
-  ClosedResult search_by_half(SetupClosures closures, const SetupCandidate& described) const {
+  // By a part of the work that is left, so that some is for why they make no robot.
+  ClosedResult search_by_part(SetupClosures closures, const SetupCandidate& described,
+                              std::size_t parts) const {
     SetupSubject subject = subject_;
-    subject.control.work -= (control_.work - std::min(control_.work, *control_.done)) / 2;
+    const std::size_t left = control_.work - std::min(control_.work, *control_.done);
+    subject.control.work -= left - left / parts;
     return search_closed(subject, std::move(closures), described);
   }
 
   void described_closures(const FoundLoops& loops) {
     SetupClosures closures{loops.loops.closures, 0, std::string(loops.dialect)};
     closures.described = closures.all.size();
-    take(search_by_half(std::move(closures),
-                        {{}, "the URDF describes them by " + std::string(loops.dialect)}));
+    take(search_by_part(std::move(closures), {{}, "the URDF describes them by " + std::string(loops.dialect)},
+                        2));
   }
 
   // Beside those that the URDF describes, or in their place.
   SetupResult asked_closures(const FoundLoops& described_loops) {
     const std::vector<Closure>& in_urdf = described_loops.loops.closures;
     result_.problems.clear();
-    Pairing asked{{}, answers_.closures_reason};
+    Pairing asked{{}, "as asked for"};
     for (const auto& [one, other] : answers_.closures)
       if (!is_asked_before(one, other, asked))
-        asked.pairs.push_back({*tree_.link_named(one), *tree_.link_named(other), ""});
+        asked.pairs.push_back({*tree_.link_named(one), *tree_.link_named(other)});
     const std::vector<Closure> added = closures_of(tree_, asked);
     const std::size_t replaced = closed_again(bodies_, in_urdf, added);
     if (replaced > 0 && replaced < in_urdf.size()) {
@@ -255,8 +256,16 @@ class Setup {
   SetupCandidate described(const Pairing& pairing) const {
     SetupCandidate candidate{{}, pairing.reason};
     for (const EndPair& pair : pairing.pairs)
-      candidate.values.push_back(tree_.links[pair.one] + "=" + tree_.links[pair.other]);
+      candidate.values.push_back(written(pair.one, pair.in_link[0]) + "=" +
+                                 written(pair.other, pair.in_link[1]));
     return candidate;
+  }
+
+  std::string written(std::size_t link, const Eigen::Isometry3d& in_link) const {
+    const std::string& name = tree_.links[link];
+    return in_link.isApprox(Eigen::Isometry3d::Identity())
+               ? name
+               : placed_name(name, in_link.translation(), roll_pitch_yaw(in_link.linear()));
   }
 
   SetupResult open_ends() {
@@ -268,31 +277,53 @@ class Setup {
     }
     result_.question = question_of_places(tree_, ends, source_.files.urdf);
     if (result_.question) return result_;
-    std::optional<ClosedResult> first;
-    for (const EqualPairings& equals : ends.pairings) {
-      if (have_no_tip_frames(ends)) break;
-      if (try_equals(equals, ends, first)) return result_;
-      if (&equals == &ends.pairings.front() && equals.size() == 1 && ends_without_tip_frame(ends).empty() &&
-          !ends.may_have_finger && explains(*first, ends))
-        return result_;
-      if (result_.cut_short || !ends_without_tip_frame(ends).empty()) break;
+    const bool lacks_tips = !ends_without_tip_frame(ends).empty();
+    if (!have_no_tip_frames(ends)) {
+      if (try_hinges(ends)) return result_;
+      for (const EqualPairings& equals : ends.pairings) {
+        const bool is_first = refused_.empty();
+        if (try_equals(equals, ends)) return result_;
+        if (is_first) std::stable_partition(refused_.begin(), refused_.end(), holds_each_end_once);
+        for (const Refused& refused : refused_)
+          if (is_first && !lacks_tips && !ends.may_have_finger && explains(refused.second, ends))
+            return result_;
+        if (result_.cut_short || lacks_tips) break;
+      }
     }
-    const bool is_refused = first && !first->problems.empty() && !refused_.empty();
-    if (!is_refused || !ends_without_tip_frame(ends).empty())
+    if (refused_.empty() || lacks_tips || any_untried(ends))
       ask_for_closures(ends);
+    else if (why_refused_.empty())
+      refuse_ends(refused_.front().second, ends);
     else
-      refuse_ends(*first, ends);
+      result_.problems = why_refused_;
     return result_;
   }
 
-  // Whether the ends with the most evidence make a robot once one element is edited, or none whatever is
-  // edited: then that is the cause, and not which ends meet.
-  bool explains(const ClosedResult& first, const OpenEnds& ends) {
-    if (first.problems.empty() || first.tried.empty()) return false;
-    SetupResult before = result_;
-    if (refuse_ends(first, ends)) return true;
-    result_ = before;
+  // Whether the axes that hinges of like legs have make a robot, where ends alone do not say them.
+  bool try_hinges(const OpenEnds& ends) {
+    if (!ends.evident || ends.pairings.front().size() > 1) return false;
+    const auto hinged = like_hinges(tree_, bodies_, ends.pairings.front().front());
+    ClosedResult closed =
+        hinged ? search_by_part({closures_of(tree_, *hinged)}, described(*hinged), 4) : ClosedResult{};
+    if (!closed.mechanism) return false;
+    take(std::move(closed));
+    return true;
+  }
+
+  // Whether one element that is edited makes a robot of what was refused, or nothing does whatever is edited:
+  // then that is the cause, and not which ends meet.
+  bool explains(const ClosedResult& refused, const OpenEnds& ends) {
+    const Problems before = result_.problems;
+    if (refuse_ends(refused, ends)) return true;
+    if (why_refused_.empty()) why_refused_ = result_.problems;
+    result_.problems = before;
     return false;
+  }
+
+  static bool holds_each_end_once(const Refused& refused) {
+    std::set<std::size_t> ends;
+    for (const EndPair& pair : refused.first->pairs) ends.insert({pair.one, pair.other});
+    return ends.size() == 2 * refused.first->pairs.size();
   }
 
   bool refuse_ends(const ClosedResult& first, const OpenEnds& ends) {
@@ -344,22 +375,23 @@ class Setup {
     std::vector<EndPair> pairs;
     for (const std::size_t link : ends.links)
       if (ends.platform && bodies_.of(link) != bodies_.of(*ends.platform))
-        pairs.push_back({*ends.platform, link, ""});
+        pairs.push_back({*ends.platform, link});
     return pairs;
   }
 
   // Whether one of them loads, or several do, which is a question.
-  bool try_equals(const EqualPairings& equals, const OpenEnds& ends, std::optional<ClosedResult>& first) {
+  bool try_equals(const EqualPairings& equals, const OpenEnds& ends) {
     std::vector<std::pair<SetupCandidate, ClosedResult>> found;
     bool cut_short = ends.cut_short && &equals == &ends.pairings.back();
     for (const Pairing& pairing : equals) {
       const SetupCandidate candidate = described(pairing);
-      ClosedResult closed = first ? search_closed(subject_, {closures_of(tree_, pairing), 0, ""}, candidate)
-                                  : search_by_half({closures_of(tree_, pairing), 0, ""}, candidate);
+      ClosedResult closed =
+          search_by_part({closures_of(tree_, pairing)}, candidate, refused_.empty() ? 2 : 1);
       cut_short = cut_short || closed.cut_short;
-      if (!first) first = closed;
-      if (!closed.mechanism && !closed.cut_short) refused_.insert(&pairing);
-      if (closed.mechanism) found.emplace_back(candidate, std::move(closed));
+      if (closed.mechanism)
+        found.emplace_back(candidate, std::move(closed));
+      else if (closed.is_refused)
+        refused_.emplace_back(&pairing, std::move(closed));
       if (cut_short && closed.cut_short) break;
     }
     result_.cut_short = result_.cut_short || cut_short;
@@ -373,6 +405,19 @@ class Setup {
     for (auto& [candidate, closed] : found) question.candidates.push_back(candidate);
     result_.question = question;
     return true;
+  }
+
+  bool is_refused(const Pairing& pairing) const {
+    return std::any_of(refused_.begin(), refused_.end(),
+                       [&](const Refused& refused) { return refused.first == &pairing; });
+  }
+
+  bool any_untried(const OpenEnds& ends) const {
+    return ends.cut_short ||
+           std::any_of(ends.pairings.begin(), ends.pairings.end(), [this](const EqualPairings& equals) {
+             return std::any_of(equals.begin(), equals.end(),
+                                [this](const Pairing& pairing) { return !is_refused(pairing); });
+           });
   }
 
   static std::string why_to_ask(std::size_t found) {
@@ -404,7 +449,7 @@ class Setup {
     question.text += "; ends that are in no loop, as fingers, are left out of --closures";
     for (const EqualPairings& equals : ends.pairings)
       for (const Pairing& pairing : equals)
-        if (without_tip_frame.empty() && refused_.count(&pairing) == 0)
+        if (without_tip_frame.empty() && !is_refused(pairing))
           question.candidates.push_back(described(pairing));
     result_.question = question;
   }
@@ -429,7 +474,8 @@ class Setup {
   JointEvidence evidence_;
   SetupSubject subject_;
   const std::string& urdf_text_;
-  std::set<const Pairing*> refused_;  // of the open ends
+  std::vector<Refused> refused_;  // of the open ends
+  Problems why_refused_;          // the first of these, if that is known
   SetupResult result_;
 };
 
@@ -468,22 +514,10 @@ SetupResult set_up(const std::string& urdf_text, const std::string& urdf_name, c
   const LoopSource source{*document.FirstChildElement("robot"), no_config, *tree, files};
   add_ends_of_closures(source, *tree);
   Setup setup(*tree, tree_read, source, answers, control, urdf_text);
-  SetupAnswers with_axes = answers;
-  with_axes.closures = setup.closures_with_axes();
-  with_axes.closures_reason =
-      "the legs are alike, and this is the hinge by which one of them carries the platform";
-  if (!with_axes.closures.empty())
-    if (SetupResult found = set_up(urdf_text, urdf_name, config_name, with_axes, control);
-        found.problems.empty())
-      return found;
   SetupResult found = setup.find();
-  if (answers.closures.empty() && answers.base_link.empty()) {
-    SetupAnswers with_leg = answers;
-    with_leg.closures = ends_on_root(*tree, Bodies(*tree), found);
-    if (!with_leg.closures.empty() &&
-        set_up(urdf_text, urdf_name, config_name, with_leg, control).problems.empty())
-      found.question = question_of_leg(found, with_leg.closures, urdf_name);
-  }
+  if (answers.closures.empty() && answers.base_link.empty())
+    if (const auto on_root = ends_on_root(*tree, Bodies(*tree), found))
+      if (const auto leg = setup.loading(*on_root)) found.question = question_of_leg(found, *leg, urdf_name);
   return found;
 }
 

@@ -25,7 +25,6 @@ struct SetupAnswers {
   std::string operational_point;
   std::vector<std::string> actuated_joints;
   std::vector<std::array<std::string, 2>> closures;
-  std::string closures_reason = "as asked for";  ///< for messages and comments
 };
 
 /// One value that a key of the YAML may have, with its reason. Links of a closure have '=' between
@@ -60,7 +59,7 @@ struct SetupControl {
   std::shared_ptr<std::size_t> done = std::make_shared<std::size_t>(0);  ///< of the work, by all copies
 
   /// What an attempt takes whatever the joints are, as closing loops that do not close, in as many joints.
-  static constexpr std::size_t least_joints = 16;
+  static constexpr std::size_t least_joints = 8;
 
   void count_attempt(std::size_t joints) const {
     const std::size_t counted = std::max(joints, least_joints);

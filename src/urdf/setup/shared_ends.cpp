@@ -65,7 +65,7 @@ EqualPairings in_one_point(const std::vector<std::size_t>& anchors,
   Pairing pairing{{}, "each is the only open end of its chain"};
   for (const auto& ends : tips) {
     if (ends.size() != 1) return {};
-    pairing.pairs.push_back({anchors.front(), ends.front(), ""});
+    pairing.pairs.push_back({anchors.front(), ends.front()});
   }
   return {pairing};
 }
@@ -83,7 +83,7 @@ EqualPairings shared_orders(std::vector<std::size_t> anchors,
       if (carried && anchor_of(0) != *carried) continue;
       Pairing pairing{{}, "two neighbours in one joint, without evidence for their order"};
       for (std::size_t k = 0; k < tips.size(); ++k)
-        pairing.pairs.push_back({anchor_of(k + carriers), tips[k].front(), ""});
+        pairing.pairs.push_back({anchor_of(k + carriers), tips[k].front()});
       orders.push_back(pairing);
     }
   } while (std::next_permutation(anchors.begin(), anchors.end()));
@@ -96,7 +96,7 @@ EqualPairings two_by_two(const std::vector<std::size_t>& ends, const DistanceOfE
   for (const std::size_t end : ends) {
     const auto other = neighbour(end, ends, distance);
     if (!other || neighbour(*other, ends, distance) != end) return {};
-    if (end < *other) pairing.pairs.push_back({end, *other, ""});
+    if (end < *other) pairing.pairs.push_back({end, *other});
   }
   return {pairing};
 }
