@@ -90,10 +90,12 @@ class StarConditions {
                                          [&take, rods](const Scalar& f) { take(f, rods); });
   }
 
-  /// Of the operational point and of passive joints.
+  /// Of the operational point, of the chain that holds the platform, and of passive joints.
   template <class Take>
   bool visit_points(const Signs& signs, const Take& take) const {
-    at_.tests.for_each_workspace_function(legs_.position(), [&take](const Scalar& f) { take(f, LegSet{0}); });
+    const auto take_of_pose = [&take](const Scalar& f) { take(f, LegSet{0}); };
+    at_.tests.for_each_workspace_function(legs_.position(), take_of_pose);
+    at_.tests.for_each_hinge_function(legs_, take_of_pose);
     for (std::size_t j = 0; j < leg_count; ++j) {
       if (!at_.tests.has_passive_limits(j) && !at_.tests.has_cones(j)) continue;
       const auto* points = legs_.points(j, signs[j]);

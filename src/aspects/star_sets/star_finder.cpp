@@ -2,6 +2,7 @@
 #include "aspects/star_sets/star_finder.h"
 
 #include "aspects/boxes/charts.h"
+#include "aspects/boxes/hinge_chart.h"
 #include "aspects/star_sets/folded_leg.h"
 #include "aspects/star_sets/star_search.h"
 
@@ -94,9 +95,10 @@ std::unique_ptr<const StarFinder> make_star_finder(const Manipulator& manipulato
       return std::make_unique<const ChartStars<T3Chart>>(manipulator, modes);
     case TaskSpace::SO3:
       return std::make_unique<const ChartStars<SO3Chart>>(manipulator, modes);
+    case TaskSpace::R2:
+      return std::make_unique<const ChartStars<R2Chart>>(manipulator, modes);
     case TaskSpace::T1:
     case TaskSpace::R1:
-    case TaskSpace::R2:
     case TaskSpace::SE3:
       break;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/urdf/mechanism.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -19,9 +21,10 @@ namespace {
 
 using Robot = std::shared_ptr<const Manipulator>;
 
-std::shared_ptr<const AspectMap> hinge_map(const Robot& robot, double resolution) {
+std::shared_ptr<const AspectMap> hinge_map(const Robot& robot, double resolution, bool complete = false) {
   MapOptions options;
   options.resolution = resolution;
+  options.complete = complete;
   return compute_aspect_map(robot, options).map;
 }
 
@@ -44,6 +47,7 @@ TEST(AnkleMap, HasTheSixteenAspectsOfAnIndependentFlood) {
   ASSERT_TRUE(map);
   EXPECT_EQ(map->aspects().size(), 16U);
   EXPECT_EQ(map->proved_count(), 16U);
+  EXPECT_EQ(map->count_at_most(), std::optional<std::size_t>(16));
   const auto found = measures(*map);
   for (const auto& [of, areas] : expected) {
     ASSERT_EQ(found.count(of), 1U) << of;
@@ -69,7 +73,23 @@ TEST(FourBarMap, HasFourAspectsOfKnownWidths) {
   EXPECT_NEAR(found.at("(-)-").at(0), 2.6811, 2e-4);
   const auto other = hinge_map(test::four_bar(0.3, 0.4, 0.1, 0.38), 0.0002);
   ASSERT_EQ(other->aspects().size(), 4U);
+  EXPECT_EQ(other->proved_count(), 4U);
+  EXPECT_EQ(other->count_at_most(), std::optional<std::size_t>(4));
   for (const Aspect& aspect : other->aspects()) EXPECT_NEAR(aspect.measure, 0.7149, 2e-4);
+}
+
+// The numbers are exact, whatever the resolution, and with limits.
+TEST(HingeMaps, HaveExactCounts) {
+  const std::vector<std::pair<SharedMechanism, std::size_t>> robots{
+      {models::ankle(), 16}, {models::skew_wrist(), 24}, {models::tilt_table(), 1}};
+  for (const auto& [robot, count] : robots)
+    for (const double resolution : {0.1, 0.03}) {
+      const auto map = hinge_map(robot->mapped_manipulator(), resolution, true);
+      ASSERT_TRUE(map);
+      EXPECT_EQ(map->proved_count(), count) << robot->manipulator()->name() << ' ' << resolution;
+      EXPECT_EQ(map->count_at_most(), std::optional<std::size_t>(count))
+          << robot->manipulator()->name() << ' ' << resolution;
+    }
 }
 
 /// The legs by rotations as matrices and nothing of the package's kinematics but its robots: sign of det A in
@@ -188,6 +208,20 @@ TEST(HingeMaps, AgreeWithAFloodByOtherCode) {
   test::RandomRobots random(4201);
   for (int i = 0; i < 2; ++i)
     expect_like_flood(random.robot(TaskSpace::R2, test::ActuationKind::revolute), 0.05);
+}
+
+// In one mode of the wrist with axes at 60 degrees an aspect takes less than 0.01 rad^2.
+TEST(HingeMaps, HaveTheSmallAspectsOfAFineFlood) {
+  const Robot robot = models::skew_wrist()->mapped_manipulator();
+  const auto map = hinge_map(robot, 0.05, true);
+  const WorkingMode mode = *WorkingMode::from_signs({1, -1});
+  constexpr int cells = 800, sliver = 20;
+  const std::vector<int> signs = signs_of(*robot, mode, cells);
+  for (const int sign : {1, -1}) {
+    const std::vector<int> sizes = flood(signs, sign, cells);
+    EXPECT_EQ(std::count_if(sizes.begin(), sizes.end(), [](int size) { return size > sliver; }), 3);
+    EXPECT_EQ(measures(*map)[key(mode, sign)].size(), 3U);
+  }
 }
 
 // Poses that a map has located are where inverse kinematics and det A say.

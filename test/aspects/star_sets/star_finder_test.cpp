@@ -26,8 +26,6 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t size = 3;
-
 struct Case {
   const char* name;
   std::function<std::shared_ptr<const Manipulator>()> robot;
@@ -54,6 +52,13 @@ std::shared_ptr<const Manipulator> limited_three_rrr() {
   return std::make_shared<const Manipulator>(description);
 }
 
+/// With limits of pitch and roll close to where the cranks turn back.
+std::shared_ptr<const Manipulator> limited_ankle() {
+  ManipulatorDescription description = test::ankle()->description();
+  description.constraints.hinge_limits = {{"pitch", 0, {-0.3, 0.5}}, {"roll", 1, {-2.9, 0.9}}};
+  return std::make_shared<const Manipulator>(description);
+}
+
 std::shared_ptr<const Manipulator> shipped_three_prr() { return models::three_prr()->mapped_manipulator(); }
 
 std::shared_ptr<const Manipulator> shipped_linear_delta() {
@@ -63,7 +68,16 @@ std::shared_ptr<const Manipulator> shipped_linear_delta() {
 class StarFinderTest : public testing::TestWithParam<Case> {
  protected:
   int sign(const MapPosition& at) const {
-    return test::sign_in_doubles(*robot, space->pose(at), modes[mode]);
+    return keeps_chain(at) ? test::sign_in_doubles(*robot, space->pose(at), modes[mode]) : 0;
+  }
+
+  /// Whether the joints of the chain that holds the platform are within their limits.
+  bool keeps_chain(const MapPosition& at) const {
+    const std::vector<HingeLimit>& limits = robot->constraints().hinge_limits;
+    return std::all_of(limits.begin(), limits.end(), [&at](const HingeLimit& each) {
+      const double angle = M_PI * at.point[each.hinge];
+      return angle > each.limits.lower && angle < each.limits.upper;
+    });
   }
 
   double height(const MapPosition& at, std::size_t leg) const {
@@ -209,7 +223,7 @@ class StarFinderTest : public testing::TestWithParam<Case> {
     }
     for (int i = 0; i < 40; ++i) {
       const MapPosition sample = random_in(root, box);
-      if (test::sign_at(*robot, space->pose(sample), modes[mode]) != wanted) continue;
+      if (!keeps_chain(sample) || test::sign_at(*robot, space->pose(sample), modes[mode]) != wanted) continue;
       ASSERT_GT(stars.count, 0U) << testing::PrintToString(sample.point);
       if (++samples > 1500) continue;
       bool joined = false;
@@ -222,6 +236,7 @@ class StarFinderTest : public testing::TestWithParam<Case> {
   }
 
   std::shared_ptr<const Manipulator> robot = GetParam().robot();
+  std::size_t size = robot->leg_count();  // coordinates of a pose, too
   std::vector<WorkingMode> modes = working_modes(*robot);
   std::unique_ptr<const StarFinder> finder = make_star_finder(*robot, modes);
   std::unique_ptr<test::PosePairs> pairs = std::make_unique<test::PosePairs>(robot, 20261125);
@@ -235,7 +250,7 @@ TEST_P(StarFinderTest, WhatIsProvedHoldsForRandomPoses) {
   const auto classifier = make_box_classifier(*robot, modes);
   const auto positions = classifier->reachable_positions();
   ASSERT_TRUE(positions);
-  space = make_pose_space(robot->task_space(), *positions, robot->characteristic_length());
+  space = make_pose_space(robot->motions(), *positions, robot->characteristic_length());
   region = space->region();
   int found = 0, empty = 0;
   for (int i = 0; i < campaign() * GetParam().boxes; ++i) {
@@ -270,6 +285,7 @@ TEST_P(StarFinderTest, WhatIsProvedHoldsForRandomPoses) {
 /// Where a turn begins, next to a pose at which det A touches a serial singularity. The angle tells the
 /// height best, but has no room to grow in.
 TEST(StarFinder, FindsStarsWhereATurnBegins) {
+  constexpr std::size_t size = 3;
   const auto robot = models::three_rrr()->mapped_manipulator();
   const std::vector<WorkingMode> modes = working_modes(*robot);
   const auto finder = make_star_finder(*robot, modes);
@@ -295,6 +311,8 @@ INSTANTIATE_TEST_SUITE_P(Robots, StarFinderTest,
                                          Case{"three_rrr", test::three_rrr, 400, 20, 0, 100},
                                          Case{"folds_of_three_rrr", test::three_rrr, 1000, 100, 0, 500, true},
                                          Case{"limited_three_rrr", limited_three_rrr, 400, 20, 0, 100},
+                                         Case{"ankle", test::ankle, 1000, 100, 0, 300},
+                                         Case{"limited_ankle", limited_ankle, 1000, 60, 0, 300},
                                          Case{"linear_delta", shipped_linear_delta, 400, 20, 0, 100},
                                          Case{"delta", test::delta, 400, 20, 0, 100},
                                          Case{"spherical_3rrr", test::spherical_three_rrr, 2400, 10, 0, 50}),
