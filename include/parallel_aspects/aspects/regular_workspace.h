@@ -16,7 +16,8 @@
 
 namespace parallel_aspects {
 
-/// Regular shapes of positions; their axes are those of the task frame. A cylinder stands along z.
+/// Regular shapes of positions; their axes are those of the task frame. A cylinder stands along z. In R1 and
+/// R2 the angles of the passive chain take the place of positions, and [rad] that of [m].
 enum class RegularShape { box, square, disc, cylinder, ball };
 
 /// A range of an angle [rad].
@@ -75,8 +76,8 @@ Problems problems_of(const Manipulator& manipulator, const std::optional<MapSlic
 /// The largest regular shape in each of these aspects of a map, by their ids, in their order. There must be
 /// no `problems_of` the question. Leaves of the map that are undecided are divided where that matters, for
 /// this question alone; those that stay undecided count as usable for the upper bounds. Sizes
-/// below a hundredth of the largest are not distinguished. Shapes lie in the region of the map. Of angles, in
-/// R1 and R2, shapes from -pi to pi are looked at; the upper bounds hold for those that go on beyond, too.
+/// below a hundredth of the largest are not distinguished. Shapes lie in the region of the map. In R1 and R2
+/// they may go on beyond half a turn, with a center from -pi to pi and no edge longer than a turn.
 /// Nothing when cancelled.
 std::optional<std::vector<RegularWorkspace>> find_regular_workspaces(const AspectMap& map,
                                                                      const std::vector<int>& aspects,

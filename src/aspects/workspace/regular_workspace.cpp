@@ -5,6 +5,7 @@
 #include "aspects/workspace/shape_room.h"
 #include "aspects/workspace/shape_search.h"
 #include "interval/interval.h"
+#include "model/angles.h"
 #include "model/message_text.h"
 
 #include <tbb/parallel_for.h>
@@ -140,11 +141,11 @@ class Survey {
          const WorkspaceOptions& options)
       : map_(map),
         ids_(ids),
-        unit_(has_hinges(map.manipulator()->task_space()) ? EIGEN_PI : 1.0),
-        question_(in_map_coordinates(question, unit_)),
+        turns_(has_hinges(map.manipulator()->task_space())),
+        question_(turns_ ? in_half_turns(question) : question),
         options_(options),
         free_(free_positions(*map.manipulator(), map.slice())),
-        gauge_(made_under_upward_rounding<ShapeGauge>(question_, free_)),
+        gauge_(made_under_upward_rounding<ShapeGauge>(question_, free_, turns_)),
         found_(ids.size()) {}
 
   std::optional<std::vector<RegularWorkspace>> run() {
@@ -158,53 +159,26 @@ class Survey {
     });
     if (is_cancelled(options_.control)) return std::nullopt;
     if (options_.control.progress) options_.control.progress(1.0);
-    if (unit_ != 1.0)
-      for (std::size_t place = 0; place < found_.size(); ++place) {
-        take_unit(found_[place]);
-        if (may_wrap(place)) allow_for_wrap(found_[place]);
-      }
+    if (turns_)
+      for (RegularWorkspace& found : found_) take_unit(found);
     return found_;
   }
 
  private:
-  static WorkspaceQuestion in_map_coordinates(WorkspaceQuestion question, double unit) {
+  /// The center the shorter way round.
+  static WorkspaceQuestion in_half_turns(WorkspaceQuestion question) {
     for (auto& each : question.center)
-      if (each) *each /= unit;
+      if (each) each = std::clamp(std::remainder(*each, full_turn) / pi, -1.0, 1.0);
     return question;
   }
 
   /// Half turns become angles. The center and pi are rounded, by far less than what the shape loses for it
   /// even along an edge that is a thousandth of the first.
-  void take_unit(RegularWorkspace& found) const {
+  static void take_unit(RegularWorkspace& found) {
     constexpr double lost = 1e-11;  // [rad]
-    for (double& each : found.center) each *= unit_;
-    found.lower = std::max(0.0, unit_ * found.lower - lost);
-    found.upper = unit_ * found.upper + lost;
-  }
-
-  /// Whether poses of the aspect may lie at half a turn of an angle.
-  bool may_wrap(std::size_t place) const {
-    constexpr double near = 1e-9;  // [rad]; leaves are larger
-    bool touches = false;
-    const auto look = [&](const Box& box) {
-      for (std::size_t i = 0; i < free_; ++i)
-        touches = touches || box.upper[i] > EIGEN_PI - near || box.lower[i] < near - EIGEN_PI;
-    };
-    map_.visit_inside_leaves(ids_[place], look);
-    map_.visit_undecided_leaves(aspect(place).mode, look);
-    return touches;
-  }
-
-  /// Shapes are looked for from -pi to pi alone. One that goes on beyond is cut there into parts, the largest
-  /// of which holds a shape of half its size; a disc that is cut along both angles, one of its radius over 1
-  /// + sqrt(2). About a center that is held that says nothing. No edge is longer than a turn.
-  void allow_for_wrap(RegularWorkspace& found) const {
-    const bool is_disc = question_.shape == RegularShape::disc;
-    const double most = is_disc ? EIGEN_PI : 2.0 * EIGEN_PI, share = is_disc ? 2.41422 : 2.0;
-    const bool is_held = std::any_of(question_.center.begin(), question_.center.end(),
-                                     [](const auto& each) { return each.has_value(); });
-    found.upper = is_held ? most : std::min(most, share * found.upper);
-    found.proved = found.upper - found.lower <= options_.gap * found.upper;
+    for (double& each : found.center) each *= pi;
+    found.lower = std::max(0.0, pi * found.lower - lost);
+    found.upper = pi * found.upper + lost;
   }
 
   const Aspect& aspect(std::size_t place) const {
@@ -258,7 +232,7 @@ class Survey {
 
   const AspectMap& map_;
   const std::vector<int>& ids_;
-  double unit_;  ///< of a map coordinate that counts as a position
+  bool turns_;  ///< whether coordinates are angles, in half turns in the map
   const WorkspaceQuestion question_;
   const WorkspaceOptions& options_;
   std::size_t free_;

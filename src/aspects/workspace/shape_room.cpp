@@ -19,10 +19,26 @@ Interval larger_of(const Interval& a, const Interval& b) {
   return {std::max(a.lower(), b.lower()), std::max(a.upper(), b.upper())};
 }
 double larger_of(double a, double b) { return std::max(a, b); }
+Interval smaller_of(const Interval& a, const Interval& b) {
+  return {std::min(a.lower(), b.lower()), std::min(a.upper(), b.upper())};
+}
+double smaller_of(double a, double b) { return std::min(a, b); }
+
+constexpr double whole_turn = 2.0;  // in half turns
+
+/// How far a coordinate is from a range, for angles the shorter way round.
+template <class Scalar>
+Scalar distance_along(double center, double lower, double upper, bool turns) {
+  const Scalar c(center), below = Scalar(lower) - c, above = c - Scalar(upper), zero(0.0);
+  const Scalar straight = larger_of(zero, larger_of(below, above));
+  if (!turns) return straight;
+  return smaller_of(straight, larger_of(zero, Scalar(whole_turn) + smaller_of(below, above)));
+}
 
 }  // namespace
 
-ShapeGauge::ShapeGauge(const WorkspaceQuestion& question, std::size_t dimension) : dimension_(dimension) {
+ShapeGauge::ShapeGauge(const WorkspaceQuestion& question, std::size_t dimension, bool turns)
+    : dimension_(dimension), turns_(turns) {
   const std::vector<double>& ratio = question.ratio;
   const bool is_round = question.shape == RegularShape::disc || question.shape == RegularShape::ball ||
                         question.shape == RegularShape::cylinder;
@@ -50,18 +66,25 @@ Scalar ShapeGauge::norm(const std::array<Scalar, max_map_dimension>& displacemen
 double ShapeGauge::distance(const MapPoint& center, const Box& box) const noexcept {
   std::array<double, max_map_dimension> displacement{};
   for (std::size_t i = 0; i < dimension_; ++i)
-    displacement[i] = std::max({0.0, box.lower[i] - center[i], center[i] - box.upper[i]});
+    displacement[i] = distance_along<double>(center[i], box.lower[i], box.upper[i], turns_);
   return norm(displacement);
 }
 
 double ShapeGauge::distance_at_least(const MapPoint& center, const Box& box) const noexcept {
   std::array<Interval, max_map_dimension> displacement{};
-  for (std::size_t i = 0; i < dimension_; ++i) {
-    const Interval below = Interval(box.lower[i]) - Interval(center[i]);
-    const Interval above = Interval(center[i]) - Interval(box.upper[i]);
-    displacement[i] = larger_of(Interval(0.0), larger_of(below, above));
-  }
+  for (std::size_t i = 0; i < dimension_; ++i)
+    displacement[i] = distance_along<Interval>(center[i], box.lower[i], box.upper[i], turns_);
   return norm(displacement).lower();
+}
+
+MapPoint ShapeGauge::nearest(const MapPoint& center, const Box& box) const noexcept {
+  MapPoint result = box.nearest(center);
+  for (std::size_t i = 0; turns_ && i < dimension_; ++i) {
+    const double below = box.lower[i] - center[i], above = center[i] - box.upper[i];
+    if (std::max(below, above) > whole_turn + std::min(below, above))  // the other way round
+      result[i] = below < above ? box.lower[i] : box.upper[i];
+  }
+  return result;
 }
 
 double ShapeGauge::half_extent(const Box& box) const noexcept {
@@ -75,7 +98,9 @@ double ShapeGauge::half_extent(const Box& box) const noexcept {
 double ShapeGauge::room(const MapPoint& center, const Box& box) const noexcept {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < dimension_; ++i)
-    least = std::min(least, scale_[i] * std::min(box.upper[i] - center[i], center[i] - box.lower[i]));
+    least =
+        std::min(least, scale_[i] * (turns_ ? 0.5 * whole_turn
+                                            : std::min(box.upper[i] - center[i], center[i] - box.lower[i])));
   return std::max(0.0, least);
 }
 
@@ -83,8 +108,9 @@ double ShapeGauge::room_at_least(const MapPoint& center, const Box& box) const n
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < dimension_; ++i) {
     const Interval scale(scale_[i]), c(center[i]);
-    least = std::min({least, (scale * (Interval(box.upper[i]) - c)).lower(),
-                      (scale * (c - Interval(box.lower[i]))).lower()});
+    const Interval to_end = turns_ ? Interval(0.5 * whole_turn)
+                                   : smaller_of(Interval(box.upper[i]) - c, c - Interval(box.lower[i]));
+    least = std::min(least, (scale * to_end).lower());
   }
   return std::max(0.0, least);
 }
@@ -184,7 +210,7 @@ void UsableLeaves::push(const MapPoint& center, NodeIndex leaf, const Box& box, 
   if (!meets(box, angles_.inner)) return;
   if (const double distance = gauge_.distance(center, box); distance < room.upper) {
     room.upper = distance;
-    room.obstacle = box.nearest(center);
+    room.obstacle = gauge_.nearest(center, box);
   }
 }
 

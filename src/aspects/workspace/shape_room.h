@@ -24,7 +24,8 @@ namespace parallel_aspects {
 /// group counts. Other coordinates of boxes than the first `dimension()` are not looked at.
 class ShapeGauge {
  public:
-  ShapeGauge(const WorkspaceQuestion& question, std::size_t dimension);
+  /// `turns`: whether coordinates are angles in half turns, which begin anew after a whole one.
+  ShapeGauge(const WorkspaceQuestion& question, std::size_t dimension, bool turns = false);
 
   std::size_t dimension() const noexcept { return dimension_; }
 
@@ -35,10 +36,14 @@ class ShapeGauge {
   /// A lower bound of it.
   double distance_at_least(const MapPoint& center, const Box& box) const noexcept;
 
+  /// A point of the box at that distance.
+  MapPoint nearest(const MapPoint& center, const Box& box) const noexcept;
+
   /// The farthest that a point of the box is from its middle.
   double half_extent(const Box& box) const noexcept;
 
-  /// How large a shape about `center` may be without leaving the box: upper and lower bounds.
+  /// How large a shape about `center` may be without leaving the box of all positions: upper and lower
+  /// bounds. Of angles it may take a whole turn.
   double room(const MapPoint& center, const Box& box) const noexcept;
   double room_at_least(const MapPoint& center, const Box& box) const noexcept;
 
@@ -50,6 +55,7 @@ class ShapeGauge {
   Scalar norm(const std::array<Scalar, max_map_dimension>& displacement) const noexcept;
 
   std::size_t dimension_;
+  bool turns_;
   std::array<double, max_map_dimension> scale_{};
   std::array<std::size_t, max_map_dimension> group_{};
 };

@@ -91,16 +91,21 @@ Eigen::Vector3d size_of_marker(const AspectMap& map, const WorkspaceQuestion& qu
 }  // namespace
 
 Eigen::Isometry3d center_in_base(const AspectMap& map, const RegularWorkspace& workspace) {
+  const Motions& motions = map.manipulator()->motions();
+  const auto free = static_cast<Eigen::Index>(free_positions(*map.manipulator(), map.slice()));
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < free_positions(*map.manipulator(), map.slice()); ++i)
-    center[static_cast<Eigen::Index>(i)] = workspace.center[i];
+  center.head(free) = Eigen::Map<const Eigen::VectorXd>(workspace.center.data(), free);
+  if (has_hinges(motions.space)) {
+    const Pose pose = pose_from_coordinates(motions, center.head(free)).value_or(Pose{});
+    return map.manipulator()->task_frame() * Eigen::Translation3d(pose.position) * pose.orientation;
+  }
   return map.manipulator()->task_frame() * Eigen::Translation3d(center);
 }
 
 visualization_msgs::MarkerArray workspace_markers(const AspectMap& map, const WorkspaceQuestion& question,
                                                   const RegularWorkspace& workspace) {
   visualization_msgs::MarkerArray array = MarkerBatch().take();
-  if (!(workspace.lower > 0.0)) return array;
+  if (!(workspace.lower > 0.0) || has_hinges(map.manipulator()->task_space())) return array;  // of angles
   Marker marker;
   marker.header.frame_id = map.manipulator()->base_frame();
   marker.ns = "regular_workspace";

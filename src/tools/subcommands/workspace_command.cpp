@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "draw/plane/joint_range.h"
+#include "model/angles.h"
 #include "parallel_aspects/ask/workspace.h"
 #include "tools/arguments.h"
 #include "tools/drawing/plot.h"
@@ -45,6 +47,18 @@ std::vector<Eigen::Vector2d> outline_of(const AspectMap& map, const WorkspaceQue
   return line;
 }
 
+/// The same in a plane of angles, where it goes on beyond half a turn: cut there.
+std::vector<std::vector<Eigen::Vector2d>> outlines_of(const AspectMap& map, const WorkspaceQuestion& question,
+                                                      const RegularWorkspace& workspace) {
+  std::vector<Eigen::Vector2d> line = outline_of(map, question, workspace);
+  if (!has_hinges(map.manipulator()->task_space())) return {line};
+  line.pop_back();  // what `copies_of` takes is closed by itself
+  const JointRange<2> turn{Eigen::Vector2d::Constant(-pi), Eigen::Vector2d::Constant(pi), {true, true}};
+  auto copies = turn.copies_of(line, false);
+  for (auto& copy : copies) copy.push_back(copy.front());
+  return copies;
+}
+
 /// Where a map of three coordinates is cut: through the middle of the best shape.
 PlotSection section_through(const AspectMap& map, const WorkspaceQuestion& question,
                             const RegularWorkspace& workspace) {
@@ -68,7 +82,8 @@ void draw(const ask::LargestShapeAnswer& answer, const std::string& file) {
   if (!is_plane && best != nullptr) options.section = section_through(map, answer.question, best->found);
   for (const ask::ShapeInAspect& each : answer.workspaces) {
     if (each.center.empty() || (!is_plane && &each != best)) continue;
-    options.outlines.push_back({each.found.aspect, outline_of(map, answer.question, each.found)});
+    for (auto& line : outlines_of(map, answer.question, each.found))
+      options.outlines.push_back({each.found.aspect, std::move(line)});
     if (std::find(options.modes.begin(), options.modes.end(), each.mode) == options.modes.end())
       options.modes.push_back(each.mode);
   }

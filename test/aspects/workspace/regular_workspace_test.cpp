@@ -431,32 +431,57 @@ TEST(RegularWorkspace, NoneAboutAnotherCenterIsLarger) {
   expect_none_about_other_centers_is_larger(within(test::five_bar(), {{0.0, 1.0, 0.0}, {9.0, 9.0, 0.0}}));
 }
 
-// Angles wrap: an aspect of a four-bar is an interval, which may go on beyond half a turn, and a disc about
-// the deepest pose of an ankle's aspect is free of singularities.
-TEST(RegularWorkspace, UpperBoundsHoldAcrossHalfATurn) {
+// Half a turn is an angle as any other: how far the base is turned changes no size.
+TEST(RegularWorkspace, AnglesHaveNoEnd) {
+  constexpr double gap = 0.02;
+  const auto of = [](const Robot& robot, double angle, RegularShape shape) {
+    MapOptions options;
+    options.resolution = 0.02;
+    const auto map = compute_aspect_map(test::turned_about_first_hinge(*robot, angle), options).map;
+    std::vector<RegularWorkspace> found = largest(*map, question_of(shape), gap);
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.lower < b.lower; });
+    return found;
+  };
+  for (const Robot& robot : {test::ankle(), test::four_bar(), test::four_bar(0.25, 0.4, 0.3, 0.5)})
+    for (const RegularShape shape : {RegularShape::box, RegularShape::disc}) {
+      if (shape == RegularShape::disc && robot->leg_count() == 1) continue;
+      const auto reference = of(robot, 0.0, shape);
+      for (const double angle : {1.0, 3.0, -2.2}) {
+        const auto found = of(robot, angle, shape);
+        ASSERT_EQ(found.size(), reference.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+          EXPECT_TRUE(found[i].proved);
+          EXPECT_LE(found[i].lower, reference[i].upper) << robot->name() << ' ' << angle;
+          EXPECT_GE(found[i].upper, reference[i].lower) << robot->name() << ' ' << angle;
+        }
+      }
+    }
+}
+
+// The poses of a shape that goes on beyond half a turn have one sign of det A.
+TEST(RegularWorkspace, ShapesOfAnglesHoldNoSingularity) {
+  std::mt19937 random(42);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
   MapOptions options;
-  options.resolution = 0.01;
-  for (const double rod : {0.35, 0.5}) {
-    const auto map = compute_aspect_map(test::four_bar(0.25, 0.4, 0.3, rod), options).map;
-    ASSERT_TRUE(map);
-    std::vector<int> ids;
-    for (const Aspect& aspect : map->aspects()) ids.push_back(aspect.id);
-    const auto found = find_regular_workspaces(*map, ids, {});
-    ASSERT_TRUE(found);
-    for (const RegularWorkspace& each : *found)
-      EXPECT_GE(each.upper, map->aspects()[static_cast<std::size_t>(each.aspect - 1)].measure_lower) << rod;
-  }
   options.resolution = 0.05;
-  const auto map = compute_aspect_map(test::ankle(), options).map;
-  ASSERT_TRUE(map);
-  WorkspaceQuestion disc;
-  disc.shape = RegularShape::disc;
-  std::vector<int> ids;
-  for (const Aspect& aspect : map->aspects()) ids.push_back(aspect.id);
-  const auto found = find_regular_workspaces(*map, ids, disc);
-  ASSERT_TRUE(found);
-  for (const RegularWorkspace& each : *found)
-    EXPECT_GE(each.upper, map->aspects()[static_cast<std::size_t>(each.aspect - 1)].deepest_clearance);
+  const Robot robot = test::ankle();
+  const auto map = compute_aspect_map(robot, options).map;
+  int beyond = 0;
+  for (const RegularWorkspace& each : largest(*map, question_of(RegularShape::square))) {
+    const Aspect& aspect = map->aspects()[static_cast<std::size_t>(each.aspect - 1)];
+    for (int i = 0; i < 2000; ++i) {
+      const Eigen::Vector2d angles(each.center[0] + 0.5 * each.lower * share(random),
+                                   each.center[1] + 0.5 * each.lower * share(random));
+      const auto pose = pose_from_coordinates(robot->motions(), angles);
+      ASSERT_TRUE(pose);
+      const auto sign = test::sign_at(*robot, *pose, aspect.mode);
+      if (sign) {
+        EXPECT_EQ(*sign, aspect.determinant_sign) << angles.transpose();
+      }
+      beyond += angles.cwiseAbs().maxCoeff() > M_PI ? 1 : 0;
+    }
+  }
+  EXPECT_GT(beyond, 1000);
 }
 
 TEST(RegularWorkspace, QuestionsThatDoNotFitAreRefused) {

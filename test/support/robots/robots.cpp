@@ -67,6 +67,18 @@ std::shared_ptr<const Manipulator> four_bar(double rocker, double base, double c
                      {planar_revolute_leg(0, {base, 0.0}, crank, rod, {rocker, 0.0})});
 }
 
+std::shared_ptr<const Manipulator> turned_about_first_hinge(const Manipulator& robot, double angle) {
+  ManipulatorDescription description = robot.description();
+  const Eigen::AngleAxisd turn(angle, Eigen::Vector3d::UnitZ());
+  for (Leg& leg : description.legs) {
+    auto& crank = std::get<RevoluteActuation>(leg.actuation);
+    crank.center = turn * crank.center;
+    crank.axis = turn * crank.axis;
+    crank.zero_direction = turn * crank.zero_direction;
+  }
+  return std::make_shared<const Manipulator>(description);
+}
+
 std::shared_ptr<const Manipulator> ankle() {
   using Eigen::Vector3d;
   const HingePair hinges{0.016, 0.5 * EIGEN_PI};

@@ -41,6 +41,10 @@ std::shared_ptr<const Manipulator> four_bar(double rocker = 0.25, double base = 
 /// An ankle: pitch about y at the origin, roll about x 0.016 m below it; cranks about -y in the shank.
 std::shared_ptr<const Manipulator> ankle();
 
+/// A robot of R1 or R2 on cranks with its base turned about the first hinge, so that other poses lie at half
+/// a turn: theta or theta1 is larger by `angle`.
+std::shared_ptr<const Manipulator> turned_about_first_hinge(const Manipulator& robot, double angle);
+
 /// Bipod 2-RPR with base points (0,0) and (5,0) and struts limited to [2,6] and [4,9].
 std::shared_ptr<const Manipulator> bipod();
 
