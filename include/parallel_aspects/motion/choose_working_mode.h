@@ -184,8 +184,8 @@ struct RegionChoiceOptions {
   MapControl control{};        ///< where cancelled, what is left is not proved
 };
 
-/// Every reason why a region cannot be looked at: ranges that are empty, not finite or beyond half a turn;
-/// another number of coordinates; a slice that is refused; orientations that have no coordinates.
+/// Every reason why a region cannot be looked at: ranges that are empty, not finite or of more than a
+/// turn; another number of coordinates; a slice that is refused; orientations that have no coordinates.
 Problems problems_of(const Manipulator& manipulator, const RegionQuestion& question);
 
 /// Divides the region into boxes until each is proved, in every working mode. There must be no problems.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/angles.h"
 #include "motion/choose/path_measures.h"
 #include "motion/choose/region_survey.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
@@ -53,11 +54,13 @@ std::string range_problem(const std::string& name, double lower, double upper, b
     return "The range of " + name + " is not finite; give two numbers.";
   if (!(lower < upper))
     return "The range of " + name + " is empty; give a lower end that is below the upper one.";
-  const double largest = is_angle ? EIGEN_PI : longest_length;
+  const double largest = is_angle ? full_turn : longest_length;
   if (std::max(std::abs(lower), std::abs(upper)) > largest)
     return "The range of " + name +
-           (is_angle ? " goes beyond half a turn; give one within -3.14159 and 3.14159 rad."
+           (is_angle ? " goes beyond a turn; give one within -6.28318 and 6.28318 rad."
                      : " goes beyond 1e9 m; give lengths in metres.");
+  if (is_angle && upper - lower > full_turn)
+    return "The range of " + name + " is longer than a turn; give one of at most 6.28318 rad.";
   return "";
 }
 

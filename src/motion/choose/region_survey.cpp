@@ -23,16 +23,34 @@ constexpr double index_share = 0.3;         // see BoxClassifier::enclose_index
 double half_turns(double angle, double towards) {
   double value = angle / EIGEN_PI;
   for (int i = 0; i < 3; ++i) value = std::nextafter(value, towards);
-  return std::clamp(value, -1.0, 1.0);
+  return std::clamp(value, -2.0, 2.0);
 }
 
 Box map_box(Box box, std::optional<std::size_t> angle) {
   if (!angle) return box;
   for (std::size_t i = *angle; i < box.dimension; ++i) {
-    box.lower[i] = half_turns(box.lower[i], -2.0);
-    box.upper[i] = half_turns(box.upper[i], 2.0);
+    box.lower[i] = half_turns(box.lower[i], -3.0);
+    box.upper[i] = half_turns(box.upper[i], 3.0);
   }
   return box;
+}
+
+/// The same with angles from -1 to 1, cut where it goes on beyond. Without rounding, as 2 is added to numbers
+/// from -2 to -1 alone, or taken from numbers from 1 to 2.
+std::vector<Box> within_half_turns(const Box& region, std::size_t angle) {
+  std::vector<Box> parts{region};
+  for (std::size_t i = angle; i < region.dimension; ++i) {
+    std::vector<Box> cut;
+    for (const Box& part : parts)
+      for (const double turns : {-2.0, 0.0, 2.0}) {
+        Box piece = part;
+        piece.lower[i] = std::max(part.lower[i], turns - 1.0) - turns;
+        piece.upper[i] = std::min(part.upper[i], turns + 1.0) - turns;
+        if (piece.lower[i] < piece.upper[i]) cut.push_back(piece);
+      }
+    parts = std::move(cut);
+  }
+  return parts;
 }
 
 /// The space that the boxes lie in; it may extend beyond the region.
@@ -70,6 +88,7 @@ RegionSurvey::RegionSurvey(const Manipulator& manipulator, const RegionQuestion&
     : modes_(working_modes(manipulator)),
       classifier_(question.slice ? make_slice_classifier(manipulator, modes_, *question.slice)
                                  : make_box_classifier(manipulator, modes_)),
+      angle_(angle.value_or(max_map_dimension)),
       region_(map_box(question.region, angle)),
       space_(space_of(manipulator, question, positions_of(region_, angle))),
       found_(modes_.size()) {}
@@ -77,7 +96,7 @@ RegionSurvey::RegionSurvey(const Manipulator& manipulator, const RegionQuestion&
 std::vector<ModeInRegion> RegionSurvey::run(const RegionChoiceOptions& options) {
   const RoundingUpward rounding;
   const ModeSet all = modes_.size() == 64 ? ~ModeSet{0} : (ModeSet{1} << modes_.size()) - 1;
-  parts_.push_back({region_, all, 0});
+  for (const Box& box : within_half_turns(region_, angle_)) parts_.push_back({box, all, 0});
   for (std::size_t looked = 0; !parts_.empty() && looked < options.boxes && !is_cancelled(options.control);
        ++looked) {
     const Part part = parts_.front();

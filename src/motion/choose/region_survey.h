@@ -63,7 +63,8 @@ class RegionSurvey {
 
   std::vector<WorkingMode> modes_;
   std::unique_ptr<const BoxClassifier> classifier_;
-  Box region_;  // in the coordinates of the space
+  std::size_t angle_;
+  Box region_;  // in the coordinates of the space, with angles from -2 to 2
   std::shared_ptr<const PoseSpace> space_;
   std::deque<Part> parts_;
   std::vector<Inside> inside_;

@@ -5,6 +5,7 @@
 
 #include "support/path_samples.h"
 #include "support/pose_pairs.h"
+#include "support/robots/robots.h"
 #include "support/robots/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
@@ -241,6 +242,32 @@ TEST(RegionOfASlice, IsThatOfTheHeldOrientation) {
   }
 }
 
+// Half a turn is an angle as any other: with the base turned, a region that is turned, too, has the same
+// answers.
+TEST(RegionOfAngles, GoesOnBeyondHalfATurn) {
+  test::PosePairs pairs(test::ankle(), 7);
+  int safe = 0;
+  for (int i = 0; i < 40; ++i) {
+    const double angle = pairs.uniform(-3.1, 3.1), first = pairs.uniform(-0.5, 0.3),
+                 second = pairs.uniform(-0.3, 0.2);
+    const Box region{2, {first, second}, {first + 0.2, second + 0.2}},
+        moved{2, {first + angle, second}, {first + angle + 0.2, second + 0.2}};
+    const auto robot = test::turned_about_first_hinge(*test::ankle(), angle);
+    const RegionQuestion question{moved, {}};
+    ASSERT_TRUE(problems_of(*robot, question).empty());
+    const RegionChoice expected = choose_working_mode(test::ankle(), RegionQuestion{region, {}}),
+                       found = choose_working_mode(robot, question);
+    for (const ModeInRegion& each : found.modes)
+      for (const ModeInRegion& other : expected.modes) {
+        if (each.mode != other.mode) continue;
+        EXPECT_EQ(each.answer, other.answer) << text(*robot, moved);
+        EXPECT_EQ(each.determinant_sign, other.determinant_sign) << text(*robot, moved);
+        safe += each.answer == TrajectoryAnswer::safe ? 1 : 0;
+      }
+  }
+  EXPECT_GT(safe, 20);
+}
+
 TEST(RegionProblems, AreSaidInOneSentenceEach) {
   const auto five_bar = test::shipped("five_bar")->manipulator(),
              three_rrr = test::shipped("three_rrr")->manipulator(),
@@ -255,7 +282,9 @@ TEST(RegionProblems, AreSaidInOneSentenceEach) {
   EXPECT_EQ(count(five_bar, {2, {nan, 0.0}, {1.0, 1.0}}), 1U);
   EXPECT_EQ(count(five_bar, {2, {0.0, 0.0}, {1e10, 1.0}}), 1U);
   EXPECT_EQ(count(five_bar, {3, {0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}), 1U);
-  EXPECT_EQ(count(three_rrr, {3, {0.0, 0.0, -4.0}, {1.0, 1.0, 1.0}}), 1U);
+  EXPECT_EQ(count(three_rrr, {3, {0.0, 0.0, -7.0}, {1.0, 1.0, -6.0}}), 1U);
+  EXPECT_EQ(count(three_rrr, {3, {0.0, 0.0, -4.0}, {1.0, 1.0, 4.0}}), 1U);
+  EXPECT_EQ(count(three_rrr, {3, {0.0, 0.0, -4.0}, {1.0, 1.0, 1.0}}), 0U);
   EXPECT_EQ(count(three_rrr, {3, {0.0, 0.0, -3.14159}, {1.0, 1.0, 3.14159}}), 0U);
   EXPECT_EQ(count(hexa, {3, {0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}), 1U);
   EXPECT_EQ(count(eye, {3, {0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}), 1U);

@@ -119,7 +119,7 @@ TEST_F(ChooseCommand, BadQuestionsAreRefusedInOneSentence) {
   expect_refused(run({"choose", "five_bar", "--region", "x=6:3 y=0:1"}), "below the upper");
   expect_refused(run({"choose", "five_bar", "--region", "x=3:6 y=0:1", "--prefer", "fast"}), "--prefer");
   expect_refused(run({"choose", "five_bar", "--region", "x=3:6 y=0:1", "--changes"}), "--changes");
-  expect_refused(run({"choose", "three_rrr", "--region", "x=0:1 y=0:1 phi=0:4"}), "half a turn");
+  expect_refused(run({"choose", "three_rrr", "--region", "x=0:1 y=0:1 phi=-3:4"}), "longer than a turn");
   expect_refused(run({"choose", "three_rrr", "--region", "x=0:1 y=0:1"}), "in m and rad");
   expect_refused(run({"choose", "hexa", "--region", "x=0:1 y=0:1 z=0:1"}), "roll=0");
   expect_refused(run({"choose", "agile_eye", "--region", "roll=0:1"}), "Orientations");
