@@ -116,13 +116,11 @@ void check_leg_count(const ManipulatorDescription& description, Problems& proble
                        ", one for each degree of freedom of the platform.");
 }
 
-// With axes this near to parallel the two angles are hardly apart from each other.
-constexpr double least_sine = 1e-2;
-
 void check_hinges(const ManipulatorDescription& description, Problems& problems) {
   if (description.task_space != TaskSpace::R2) return;
   const HingePair& hinges = description.hinges;
-  if (!std::isfinite(hinges.offset) || !(hinges.twist > 0.0 && std::sin(hinges.twist) > least_sine))
+  if (!std::isfinite(hinges.offset) ||
+      !(hinges.twist > 0.0 && std::sin(hinges.twist) > HingePair::least_sine))
     problems.push_back("The passive chain of '" + description.name +
                        "' needs a finite offset and an angle of more than 0.01 rad between its two axes; "
                        "correct them.");

@@ -37,6 +37,9 @@ enum class TaskSpace {
 struct HingePair {
   double offset = 0.0;  ///< along the common normal of the axes [m], of any sign
   double twist = std::numeric_limits<double>::quiet_NaN();  ///< between the axes, between 0 and pi [rad]
+
+  /// The sine of `twist` is larger: nearer to parallel, the two angles are hardly apart from each other.
+  static constexpr double least_sine = 1e-2;
 };
 
 /// A task space, and what has to be known to move in it. A task space alone will do, but for R2: there every

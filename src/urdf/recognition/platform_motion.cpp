@@ -151,7 +151,6 @@ class MotionFinder {
   // Whether a passive chain of as many revolute joints as are actuated joins the platform to the base, and no
   // two of them are parallel.
   bool hangs_on_hinges() {
-    constexpr double least_sine = 1e-2;
     const AssembledMechanism mechanism{system_, values_, std::vector<bool>(system_.in_loop().size(), false)};
     for (const JoiningPart& part : joining_parts(mechanism, actuated_joints_, files_)) {
       if (part.is_actuated || part.chains.size() != 1) continue;
@@ -160,7 +159,7 @@ class MotionFinder {
                                      [](const Pivot& pivot) { return pivot.kind == PivotKind::revolute; });
       if (!turns || static_cast<Eigen::Index>(chain.size()) != joint_rates_.rows() || chain.size() > 2)
         continue;
-      if (chain.size() == 2 && chain[0].axis.cross(chain[1].axis).norm() < least_sine) continue;
+      if (chain.size() == 2 && chain[0].axis.cross(chain[1].axis).norm() < HingePair::least_sine) continue;
       result_.hinge_chain = chain;
       return true;
     }
