@@ -26,6 +26,16 @@ Anchors anchors_of(const Manipulator& manipulator) {
   return anchors;
 }
 
+// What the entries of a row of A can be at most, its rod turned anywhere: a row of one entry, as in T1 and
+// R1, is its own norm. In T1 rods are seen in the plane.
+double norm_of_row(const Manipulator& manipulator, const Leg& leg, const Eigen::Vector3d& u,
+                   const TaskVector& row) {
+  const TaskSpace space = manipulator.task_space();
+  if (space == TaskSpace::T1) return u.head<2>().norm();
+  if (space == TaskSpace::R1) return u.norm() * leg.anchor.head<2>().norm();
+  return row.norm();
+}
+
 }  // namespace
 
 SingularityIndices singularity_indices(const Manipulator& manipulator, const Pose& pose,
@@ -52,7 +62,7 @@ double parallel_index(const Manipulator& manipulator, const Pose& pose, const Jo
     auto row = matrix.row(j);
     write_row(space, lever_at(pose, b), u, row);
     row.head(rotations) /= anchors.distance;
-    norms *= space == TaskSpace::T1 ? u.head<2>().norm() : row.norm();
+    norms *= norm_of_row(manipulator, leg, u, row.transpose());
   }
   return norms > 0.0 ? std::abs(determinant(matrix)) / norms : 0.0;
 }

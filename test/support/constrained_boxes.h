@@ -37,6 +37,8 @@ inline std::vector<MappedRobot> mapped_robots() {
   return {{"delta", delta, {}},
           {"linear_delta", linear_delta, {}},
           {"five_bar", five_bar, {}},
+          {"ankle", ankle, {}},
+          {"four_bar", [] { return four_bar(); }, {}},
           {"three_rrr", three_rrr, {}},
           {"three_rpr", three_rpr, {}},
           {"three_rrr_turning", three_rrr, {{"x", -4.0}}},
@@ -233,7 +235,7 @@ class ConstrainedBoxes : public testing::TestWithParam<MappedRobot> {
     const Box reachable = make_classifier(of)->reachable_positions().value_or(around);
     if (slice && slice->joint) return make_held_joint_space(of, *slice);
     return slice ? make_slice_space(*slice, reachable, of.characteristic_length())
-                 : make_pose_space(of.task_space(), reachable, of.characteristic_length());
+                 : make_pose_space(of.motions(), reachable, of.characteristic_length());
   }
 
   std::optional<Start> draw_start(const Manipulator& of) {

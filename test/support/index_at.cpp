@@ -21,6 +21,10 @@ IndexAt::IndexAt(const Manipulator& robot, const Pose& pose, const JointVector& 
 
 IndexAt::Number IndexAt::parallel() const {
   if (robot_.task_space() == TaskSpace::T1) return std::abs(rods_[0].x()) / rods_[0].head(2).norm();
+  if (robot_.task_space() == TaskSpace::R1) {  // the cosine between the rod and the way of the anchor
+    const Vector way = Vector::UnitZ().cross(anchors_[0]);
+    return std::abs(way.normalized().dot(rods_[0].normalized()));
+  }
   Matrix rows = all_rows();
   rows.rowwise().normalize();
   const Matrix products = rows.lazyProduct(rows.transpose());
@@ -55,6 +59,11 @@ IndexAt::Matrix IndexAt::all_rows() const {
                         (moves() ? middle_ : Vector(Vector::Zero()));
     const Vector moment = (turned_ * from).cross(u) / length();
     if (turns > 0) rows.row(j).head(turns) = moment.tail(turns).transpose();
+    if (robot_.task_space() == TaskSpace::R2) {
+      rows(j, 0) = Vector::UnitZ().cross(anchors_[static_cast<std::size_t>(j)]).dot(u);
+      rows(j, 1) = moment.dot(turned_.col(2));
+      continue;
+    }
     rows.row(j).tail(n - turns) = u.head(n - turns).transpose();
   }
   return rows;

@@ -38,8 +38,8 @@ enum class ParallelIndex {
 
 /// |det A| over the product of the norms of its rows, with moments about the middle of the anchors and over
 /// their root mean square distance from it, so that moving the operational point in the platform changes
-/// nothing. In T1 |A| over |u|, in T2 the sine of the angle between the rods. Dimensionless; 0 at a parallel
-/// singularity, 1 at most.
+/// nothing. In T1 |A| over |u|, in T2 the sine of the angle between the rods, in R1 |A| over |u| and the
+/// distance of the anchor from the hinge. Dimensionless; 0 at a parallel singularity, 1 at most.
 double parallel_index(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 
 /// |B_jj| of each leg over its `largest_entry`: the sine of the angle between rod and crank, or rod and the

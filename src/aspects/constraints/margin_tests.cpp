@@ -58,6 +58,10 @@ MarginTests<D>::MarginTests(const Manipulator& manipulator)
       if (const auto largest = largest_entry(manipulator.leg(j)))
         least_squares_[j] = square(Interval(margins.serial) * *largest);
   if (rotations_ > 0 && rotations_ < leg_count_) set_middle(enclosed_anchors(manipulator));
+  if (rotations_ > 0 && leg_count_ == 1) {
+    const Eigen::Vector3d& arm = manipulator.leg(0).anchor;
+    unit_ = square(Interval(arm.x())) + square(Interval(arm.y()));
+  }
 }
 
 template <std::size_t D>

@@ -21,7 +21,8 @@ namespace parallel_aspects {
 ///
 /// The legs of a working mode with these `signs` are on one kind of enclosures, as `Legs`:
 ///  - row(j, sign) of A, and determinant(signs) of these rows, which may be longer than those of A;
-///  - scale(j): how much longer; squared_rod(j): of what is u in a row, where the platform does not turn;
+///  - scale(j): how much longer; squared_rod(j): of what is u in a row, where the platform does not turn, and
+///  in R1;
 ///  - turned(direction): of what is fixed in the platform.
 ///
 /// Everything is compared by squares: a root would have no slope at a singularity.
@@ -93,10 +94,11 @@ class MarginTests {
       return Square(range_of(value));
   }
 
-  /// Of a row with its moments about the middle of the anchors, over their distance from it.
+  /// Of a row with its moments about the middle of the anchors, over their distance from it. In R1 the rod
+  /// stands for the row: its moment is at most its length times that of the arm, which is in `unit_`.
   template <class Legs, class Middle, class Signs>
   auto squared_norm(const Legs& legs, const Middle& middle, std::size_t j, const Signs& signs) const {
-    if (rotations_ == 0) return legs.squared_rod(j);
+    if (rotations_ == 0 || leg_count_ == 1) return legs.squared_rod(j);
     const auto& row = legs.row(j, signs[j]);
     auto moments = square(moment(row, middle, 0));
     for (std::size_t i = 1; i < rotations_; ++i) moments = moments + square(moment(row, middle, i));
