@@ -252,7 +252,7 @@ struct MapAnswer {
 template <class Visit>
 void describe(Visit& visit, const MapAnswer& answer) {
   const bool has_basins = answer.basins && !answer.basins->basins.empty();
-  visit({"task_space", "", "`T1`, `T2`, `SE2`, `T3`, `SO3` or `SE3`"}, answer.task_space);
+  visit({"task_space", "", "`T1`, `T2`, `SE2`, `T3`, `SO3`, `SE3`, `R1` or `R2`"}, answer.task_space);
   if (answer.sampled) return describe(visit, *answer.sampled);
   visit({"slice", "",
          "`held`: coordinates or the joint with their values, `free`: names of the others, `axis`: in the "
