@@ -4,10 +4,13 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <type_traits>
 
 // Several numbers at once, in the lanes of a vector, and functions that do with each lane what they do with
-// one number. Lanes round as one number does: what is computed in them is the same to the last digit. All of
-// it is inlined, so that it takes on the instruction set of the function that it is used in (see `outlined`).
+// one number, so that a proof is written once for both. A condition on one number is a `bool`, on lanes a
+// mask. Lanes round as one number does: what is computed in them is the same to the last digit. All of it is
+// inlined, so that it takes on the instruction set of the function that it is used in (see `outlined`).
 
 // Whether single functions can be compiled for wider vectors than the program. Sanitizers would make such
 // functions huge.
@@ -33,6 +36,14 @@ using Lanes = typename LanesOf<Count>::Numbers;
 template <class Numbers>
 inline constexpr std::size_t lane_count = sizeof(Numbers) / sizeof(double);
 
+/// What comparisons of numbers give.
+template <class Numbers>
+using MaskOf = decltype(Numbers{} < Numbers{});
+
+/// Bits that go with each number.
+template <class Numbers>
+using BitsOf = std::conditional_t<std::is_same_v<Numbers, double>, std::int64_t, MaskOf<Numbers>>;
+
 /// Functions that are compiled for the processors that have vectors of these numbers, with all that they call
 /// inlined. Nothing else of the program may be compiled for more than its oldest processor.
 template <class Numbers>
@@ -57,17 +68,27 @@ struct LaneCode<Lanes<4>> {
 };
 
 /// `work()`, compiled once as a function of its own and not inlined wherever it is used: what is computed in
-/// lanes comes to many instructions, and would take minutes to compile as one piece.
+/// lanes comes to many instructions, and would take minutes to compile as one piece. Of one number it is
+/// inlined.
 template <class Numbers, class Work>
 [[gnu::always_inline]] inline auto outlined(const Work& work) noexcept {
-  return LaneCode<Numbers>::run(work);
+  if constexpr (std::is_same_v<Numbers, double>)
+    return work();
+  else
+    return LaneCode<Numbers>::run(work);
 }
 
 /// The same number in every lane.
 template <class Numbers>
 [[gnu::always_inline]] inline Numbers in_lanes(double value) noexcept {
+  if constexpr (std::is_same_v<Numbers, double>) return value;
   if constexpr (sizeof(Numbers) == sizeof(Lanes<2>)) return Numbers{value, value};
   if constexpr (sizeof(Numbers) == sizeof(Lanes<4>)) return Numbers{value, value, value, value};
+}
+
+template <class Numbers, class = std::enable_if_t<!std::is_same_v<Numbers, double>>>
+[[gnu::always_inline]] inline Numbers in_lanes(const Numbers& value) noexcept {
+  return value;
 }
 
 /// |a|.
@@ -100,15 +121,35 @@ template <class Numbers>
 /// Whether a condition holds in all lanes, or in none.
 template <class Mask>
 [[gnu::always_inline]] inline bool in_all(const Mask& condition) noexcept {
-  bool all = true;
-  for (std::size_t i = 0; i < lane_count<Mask>; ++i) all = all && condition[i] != 0;
-  return all;
+  if constexpr (std::is_arithmetic_v<Mask>) {
+    return condition;
+  } else {
+    bool all = true;
+    for (std::size_t i = 0; i < lane_count<Mask>; ++i) all = all && condition[i] != 0;
+    return all;
+  }
 }
 template <class Mask>
 [[gnu::always_inline]] inline bool in_none(const Mask& condition) noexcept {
-  bool any = false;
-  for (std::size_t i = 0; i < lane_count<Mask>; ++i) any = any || condition[i] != 0;
-  return !any;
+  return in_all(!condition);
+}
+
+/// Bits where the condition holds, else 0.
+template <class Mask, class Bits>
+[[gnu::always_inline]] inline auto bits_where(const Mask& condition, const Bits& bits) noexcept {
+  if constexpr (std::is_arithmetic_v<Mask>)
+    return condition ? bits : Bits{};
+  else
+    return condition & bits;
+}
+
+/// What is in the i-th lane.
+template <class Several>
+[[gnu::always_inline]] inline auto lane_of(const Several& of, std::size_t i) noexcept {
+  if constexpr (std::is_arithmetic_v<Several>)
+    return of;
+  else
+    return of[i];
 }
 
 /// `a` where the condition holds, else `b`.

@@ -22,21 +22,21 @@ inline double middle_of(const Interval& a) noexcept { return 0.5 * (a.lower() + 
 inline Interval range_of(const Interval& a) noexcept { return a; }
 inline Interval center_of(const Interval& a) noexcept { return a; }
 
-template <std::size_t N>
-Interval range_of(const Affine<N>& a) noexcept {
+template <std::size_t N, class Number>
+auto range_of(const Affine<N, Number>& a) noexcept {
   return a.range();
 }
-template <std::size_t N>
-Interval center_of(const Affine<N>& a) noexcept {
+template <std::size_t N, class Number>
+auto center_of(const Affine<N, Number>& a) noexcept {
   return a.at_center();
 }
 
 template <std::size_t N, class Value>
-Interval range_of(const Dual<N, Value>& a) noexcept {
+auto range_of(const Dual<N, Value>& a) noexcept {
   return range_of(a.value);
 }
 template <std::size_t N, class Value>
-Interval center_of(const Dual<N, Value>& a) noexcept {
+auto center_of(const Dual<N, Value>& a) noexcept {
   return center_of(a.value);
 }
 

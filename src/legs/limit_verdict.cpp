@@ -21,16 +21,6 @@ Verdict is_positive(const Interval& value) noexcept {
   return value.negative() ? Verdict::fails : Verdict::unknown;
 }
 
-Verdict verdict(const LimitFunctions<Interval>& limits) noexcept {
-  if (limits.count == 0) return Verdict::holds;
-  Verdict result = is_positive(limits.values[0]);
-  for (std::size_t i = 1; i < limits.count; ++i) {
-    const Verdict next = is_positive(limits.values[i]);
-    result = limits.any ? either(result, next) : both(result, next);
-  }
-  return result;
-}
-
 AngleLimits::AngleLimits(const JointLimits& limits, double offset, double sense)
     : limited_(std::isfinite(limits.lower) && std::isfinite(limits.upper) &&
                limits.upper - limits.lower < 2.0 * EIGEN_PI) {

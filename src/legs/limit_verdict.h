@@ -20,6 +20,16 @@ Verdict both(Verdict a, Verdict b) noexcept;
 Verdict either(Verdict a, Verdict b) noexcept;
 Verdict is_positive(const Interval& value) noexcept;
 
+/// A verdict on one box, or on each of several in lanes; unknown where it is neither.
+template <class Mask>
+struct Proved {
+  Mask holds, fails;
+};
+
+inline Verdict verdict_of(const Proved<bool>& proved) noexcept {
+  return proved.holds ? Verdict::holds : proved.fails ? Verdict::fails : Verdict::unknown;
+}
+
 /// Limits of an actuated joint as functions of the pose: within limits where all of `values`, or with `any`
 /// at least one, are positive. A value exactly at a limit may count as inside or outside.
 template <class Scalar>
@@ -31,7 +41,20 @@ struct LimitFunctions {
   void add(const Scalar& value) { values[count++] = value; }
 };
 
-Verdict verdict(const LimitFunctions<Interval>& limits) noexcept;
+template <class Range>
+auto proved(const LimitFunctions<Range>& limits) noexcept {
+  using Mask = decltype(limits.values[0].positive());
+  const bool any = limits.any && limits.count > 0;
+  Proved<Mask> result{any ? Mask{} : !Mask{}, any ? !Mask{} : Mask{}};
+  for (std::size_t k = 0; k < limits.count; ++k) {
+    const Mask positive = limits.values[k].positive(), negative = limits.values[k].negative();
+    result.holds = any ? result.holds | positive : result.holds & positive;
+    result.fails = any ? result.fails & negative : result.fails | negative;
+  }
+  return result;
+}
+
+inline Verdict verdict(const LimitFunctions<Interval>& limits) noexcept { return verdict_of(proved(limits)); }
 
 /// Limits of a joint angle, tested on its cosine and sine without any arc function.
 class AngleLimits {

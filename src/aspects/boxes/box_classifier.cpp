@@ -11,14 +11,9 @@
 #include <array>
 
 namespace parallel_aspects {
-namespace {
-
-constexpr std::size_t max_modes = 64;  // the bits of a ModeSet
-
-}  // namespace
 
 LeafState BoxClassifier::state(RootIndex root, const Box& box, std::size_t mode) const noexcept {
-  std::array<LeafState, max_modes> states;
+  std::array<LeafState, most_modes> states;
   classify(root, box, ModeSet{1} << mode, Detail::states, states.data());
   return states[mode];
 }

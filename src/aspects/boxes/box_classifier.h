@@ -40,6 +40,7 @@ struct BoxPolicy {
 
 /// A set of working modes: bit i stands for the i-th of the list that the classifier was made with.
 using ModeSet = std::uint64_t;
+inline constexpr std::size_t most_modes = 64;
 
 /// How much is asked of a classification.
 enum class Detail {

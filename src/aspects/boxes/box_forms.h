@@ -8,6 +8,7 @@
 #include "interval/affine.h"
 #include "interval/near_identity.h"
 #include "interval/nonsingular.h"
+#include "interval/scalar_range.h"
 #include "legs/leg_rows.h"
 #include "legs/limit_verdict.h"
 #include "parallel_aspects/aspects/map_slice.h"
@@ -59,46 +60,55 @@ class PreconditionedSign {
 };
 
 /// The second stage (see box_stage.h): a box by affine forms, and by its intervals where these are tighter.
-template <class Chart>
-class BoxForms : public BoxStage<Chart, BoxForms<Chart>> {
+template <class Chart, class Number = double>
+class BoxForms : public BoxStage<Chart, Number, BoxForms<Chart, Number>> {
  public:
-  using Stage = BoxStage<Chart, BoxForms<Chart>>;
+  using Stage = BoxStage<Chart, Number, BoxForms<Chart, Number>>;
   using Stage::coordinate_count;
   using Stage::is_allowed;
   using Stage::leg_count;
   using Stage::reachable_nowhere;
+  using typename Stage::Bits;
+  using typename Stage::Mask;
+  using typename Stage::Range;
   using typename Stage::Signs;
-  using Form = Affine<coordinate_count>;
-  using Entries = BoxEntries<leg_count>;
-  using Constraints = typename BoxIntervals<Chart>::Constraints;
+  using Form = Affine<coordinate_count, Number>;
+  using Intervals = BoxIntervals<Chart, Number>;
+  using At = typename Intervals::At;
+  using Entries = typename Intervals::Entries;
+  using Constraints = typename Intervals::Constraints;
 
-  explicit BoxForms(const BoxIntervals<Chart>& intervals)
+  explicit BoxForms(const Intervals& intervals)
       : intervals_(intervals),
         placed_(at().chart, at().root, coordinates(at())),
-        entries_(intervals.entries().with(squares(placed_))),
+        entries_(intervals.entries().with(squares_of(placed_))),
         constraints_(intervals.constraints()) {
     constraints_.expect_tighter();
-    if (!reachable_nowhere()) legs_.emplace(at().chart, placed_, entry_forms());
+    if (!in_all(reachable_nowhere())) legs_.emplace(at().chart, placed_, entry_forms());
   }
-  explicit BoxForms(BoxIntervals<Chart>&&) = delete;
+  explicit BoxForms(Intervals&&) = delete;
+  static BoxForms of(const Intervals& intervals) {
+    return outlined<Number>([&intervals] { return BoxForms(intervals); });
+  }
 
-  static std::array<Form, coordinate_count> coordinates(const ChartBox<Chart>& at) {
+  static std::array<Form, coordinate_count> coordinates(const At& at) {
     std::array<Form, coordinate_count> result;
     for (std::size_t i = 0; i < coordinate_count; ++i) result[i] = Form::coordinate(at.range(i), i);
     return result;
   }
 
-  const ChartBox<Chart>& at() const noexcept { return intervals_.at(); }
+  const At& at() const noexcept { return intervals_.at(); }
   const Entries& entries() const noexcept { return entries_; }
   const auto& displacement(std::size_t j) const noexcept { return intervals_.displacement(j); }
   Constraints& constraints() const noexcept { return constraints_; }
   const PlacedLegs<Chart, Form>& placed() const noexcept { return placed_; }
   const EvaluatedLegs<Chart, Form>& legs() const noexcept { return *legs_; }
 
-  Interval determinant(const Signs& signs) const {
-    const Interval natural = intervals_.determinant(signs);
-    if (natural.positive() || natural.negative()) return natural;
-    return intersection(natural, legs_->determinant(signs).range());
+  Range determinant(const Signs& signs) const {
+    const Range natural = intervals_.determinant(signs);
+    const Mask is_known = natural.positive() | natural.negative();
+    if (in_all(is_known)) return natural;
+    return where(is_known, natural, intersection(natural, legs_->determinant(signs).range()));
   }
 
   Verdict parallel_margins_by_squares(const Signs& signs) const {
@@ -113,31 +123,31 @@ class BoxForms : public BoxStage<Chart, BoxForms<Chart>> {
   }
 
   /// See BoxIntervals, which know more where squares are not positive.
-  Interval index(ParallelIndex kind, const Signs& signs, int sign) const {
-    const auto& margins = at().tests.margins();
-    const Form squares = kind == ParallelIndex::normalised ? margins.squared_norms(*legs_, signs)
-                                                           : margins.squared_scales(*legs_);
-    const double least = squares.range().lower();
-    if (!(least > 0.0)) return {0.0, std::numeric_limits<double>::infinity()};
-    const Form norms = square_root(squares, least);
-    return of_sign(
-        (legs_->determinant(signs) * reciprocal(norms, square_root(Interval(least)).lower())).range(), sign);
+  Range index(ParallelIndex kind, const Signs& signs, int sign) const {
+    const Range all = Interval(0.0, std::numeric_limits<double>::infinity());
+    const Form squares = at().tests.margins().index_squares(kind, *legs_, signs);
+    const Number least = squares.range().lower();
+    if (in_none(least > 0.0)) return all;
+    const Form norms = square_root(squares, least),
+               over_norms = reciprocal(norms, Number(square_root(Range(least, least)).lower()));
+    return where(least > 0.0, of_sign((legs_->determinant(signs) * over_norms).range(), sign), all);
   }
 
-  /// Of det A on the whole box, whose range is known to be in `determinant`; 0 where it is not proved.
-  /// Matrices of six rows are worth the inverse of one.
-  int sign_of(const Interval& determinant, const Signs& signs) const {
-    const int sign = intervals_.sign_of(determinant, signs);
+  /// Of det A on the whole box, whose range is known to be in `determinant`. Matrices of six rows are worth
+  /// the inverse of one.
+  ProvedSign<Mask> proved_sign(const Range& determinant, const Signs& signs) const {
+    const ProvedSign<Mask> found = intervals_.proved_sign(determinant, signs);
     if constexpr (leg_count == max_legs) {
-      if (sign != 0) return sign;
+      if (found.positive || found.negative) return found;
       typename PreconditionedSign<leg_count, coordinate_count>::Rows rows;
       for (std::size_t j = 0; j < leg_count; ++j) rows[j] = &legs_->rows()[j].of(signs[j]);
-      return PreconditionedSign<leg_count, coordinate_count>::of(rows);
+      const int sign = PreconditionedSign<leg_count, coordinate_count>::of(rows);
+      return {sign > 0, sign < 0};
     }
-    return sign;
+    return found;
   }
 
-  Interval squared_b_entry_at_center(std::size_t j) const { return placed_.squared_b_entry(j).at_center(); }
+  Range squared_b_entry_at_center(std::size_t j) const { return placed_.squared_b_entry(j).at_center(); }
 
   /// Whether all legs but j are clear, and all constraints hold on the whole box.
   bool holds_but_for(std::size_t j, const Signs& signs) const {
@@ -166,27 +176,30 @@ class BoxForms : public BoxStage<Chart, BoxForms<Chart>> {
     return kinds;
   }
 
-  /// The sign of det A at the center, where it is proved and the center is reachable and allowed by the
-  /// constraints; else 0.
-  int center_sign(const Signs& signs) const {
-    if (reachable_nowhere() || !center_is_reachable(signs) || !center_is_allowed(signs)) return 0;
-    const Interval value = legs_->determinant(signs).at_center();
-    return value.positive() ? 1 : value.negative() ? -1 : 0;
+  /// The signs of det A at the centers (see box_states.h), where they are proved and the center is reachable
+  /// and allowed by the constraints.
+  Bits centers(const Signs& signs) const {
+    Mask passes = !reachable_nowhere();
+    for (std::size_t j = 0; j < leg_count && !in_none(passes); ++j)
+      passes &= center_is_reachable(j, signs[j]);
+    if constexpr (Stage::is_of_one_box) passes = passes && center_is_allowed(signs);
+    if (in_none(passes)) return Bits{};
+    const Range value = legs_->determinant(signs).at_center();
+    return bits_where(passes & value.positive(), state_bits::center_positive) |
+           bits_where(passes & value.negative(), state_bits::center_negative);
   }
 
  private:
-  static typename Entries::Values squares(const PlacedLegs<Chart, Form>& placed) {
-    typename Entries::Values result;
-    for (std::size_t j = 0; j < leg_count; ++j) result[j] = placed.squared_b_entry(j).range();
-    return result;
-  }
-
   // The root has no slope at zero: |B_jj| of a leg that is not clear stays an interval.
   std::array<Form, leg_count> entry_forms() const {
     std::array<Form, leg_count> result;
-    for (std::size_t j = 0; j < leg_count; ++j)
-      result[j] = entries_.clear(j) ? square_root(placed_.squared_b_entry(j), entries_.square(j).lower())
-                                    : Form(entries_.value(j));
+    for (std::size_t j = 0; j < leg_count; ++j) {
+      result[j] = Form(entries_.value(j));
+      const Mask clear = entries_.clear(j);
+      if (!in_none(clear))
+        result[j] =
+            where(clear, square_root(placed_.squared_b_entry(j), entries_.square(j).lower()), result[j]);
+    }
     return result;
   }
 
@@ -199,24 +212,28 @@ class BoxForms : public BoxStage<Chart, BoxForms<Chart>> {
     return !there.reachable_nowhere() && there.is_allowed(signs) == Verdict::holds;
   }
 
-  bool center_is_reachable(const Signs& signs) const {
-    for (std::size_t j = 0; j < leg_count; ++j) {
-      const Interval squared_b_entry = squared_b_entry_at_center(j);
-      if (!squared_b_entry.positive()) return false;
-      const Form entry(square_root(squared_b_entry));
-      const LimitFunctions<Form> limits = at().chart.limits(j, placed_.legs[j].displacement, entry, signs[j]);
-      LimitFunctions<Interval> at_center{{}, limits.count, limits.any};
-      for (std::size_t k = 0; k < limits.count; ++k) at_center.values[k] = limits.values[k].at_center();
-      if (verdict(at_center) != Verdict::holds) return false;
-    }
-    return true;
+  /// Of leg j, and within the limits of its actuated joint.
+  const Mask& center_is_reachable(std::size_t j, int sign) const {
+    std::optional<Mask>& found = reachable_centers_[j][branch_of(sign)];
+    if (!found) found = outlined<Number>([&] { return find_reachable_center(j, sign); });
+    return *found;
+  }
+  Mask find_reachable_center(std::size_t j, int sign) const {
+    const Range square = squared_b_entry_at_center(j);
+    if (in_none(square.positive())) return Mask{};
+    const Form entry(square_root(square));
+    const LimitFunctions<Form> limits = at().chart.limits(j, placed_.legs[j].displacement, entry, sign);
+    LimitFunctions<Range> at_center{{}, limits.count, limits.any};
+    for (std::size_t k = 0; k < limits.count; ++k) at_center.values[k] = limits.values[k].at_center();
+    return square.positive() & proved(at_center).holds;
   }
 
-  const BoxIntervals<Chart>& intervals_;
+  const Intervals& intervals_;
   PlacedLegs<Chart, Form> placed_;
   Entries entries_;
   mutable Constraints constraints_;  // tested where they are asked for first
   std::optional<EvaluatedLegs<Chart, Form>> legs_;
+  mutable std::array<std::array<std::optional<Mask>, 2>, leg_count> reachable_centers_;  // by leg and branch
 };
 
 }  // namespace parallel_aspects

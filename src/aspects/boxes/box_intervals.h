@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 namespace parallel_aspects {
 
@@ -25,73 +26,72 @@ Range of_sign(const Range& determinant, int sign) noexcept {
   return not_negative_part(sign > 0 ? determinant : -determinant);
 }
 
+/// In place of the verdicts of constraints where there are none but limits.
+struct NoConstraints {
+  template <class Tests>
+  explicit NoConstraints(const Tests&) noexcept {}
+  void expect_tighter() noexcept {}
+};
+
 /// The first stage (see box_stage.h): a box by intervals.
-template <class Chart>
-class BoxIntervals : public BoxStage<Chart, BoxIntervals<Chart>> {
+template <class Chart, class Number = double>
+class BoxIntervals : public BoxStage<Chart, Number, BoxIntervals<Chart, Number>> {
  public:
-  using Stage = BoxStage<Chart, BoxIntervals<Chart>>;
-  using Stage::coordinate_count;
+  using Stage = BoxStage<Chart, Number, BoxIntervals<Chart, Number>>;
   using Stage::leg_count;
   using Stage::reachable_nowhere;
+  using typename Stage::Mask;
+  using typename Stage::Range;
   using typename Stage::Signs;
-  using Entries = BoxEntries<leg_count>;
-  using Constraints = ConstraintVerdicts<leg_count, Chart::point_dimension>;
+  using At = ChartBox<Chart, Number>;
+  using Entries = BoxEntries<leg_count, Number>;
+  using Constraints =
+      std::conditional_t<Stage::is_of_one_box, ConstraintVerdicts<leg_count, Chart::point_dimension>,
+                         NoConstraints>;
 
-  explicit BoxIntervals(const ChartBox<Chart>& at)
+  explicit BoxIntervals(const At& at)
       : at_(at),
-        placed_(at.chart, at.root, ranges(at)),
-        entries_(squares(placed_), at.bound),
+        placed_(at.chart, at.root, at.ranges()),
+        entries_(squares_of(placed_), at.bound),
         constraints_(at.tests) {
-    if (!reachable_nowhere()) legs_.emplace(at.chart, placed_, entries_.values());
+    assert_rounding_upward();
+    if (!in_all(reachable_nowhere())) legs_.emplace(at.chart, placed_, entries_.values());
+  }
+  static BoxIntervals of(const At& at) {
+    return outlined<Number>([&at] { return BoxIntervals(at); });
   }
 
-  const ChartBox<Chart>& at() const noexcept { return at_; }
+  const At& at() const noexcept { return at_; }
   const Entries& entries() const noexcept { return entries_; }
   const auto& displacement(std::size_t j) const noexcept { return placed_.legs[j].displacement; }
   Constraints& constraints() const noexcept { return constraints_; }
-  const EvaluatedLegs<Chart, Interval>& legs() const noexcept { return *legs_; }
+  const EvaluatedLegs<Chart, Range>& legs() const noexcept { return *legs_; }
   const auto& placement() const noexcept { return placed_.placement; }
 
-  Interval determinant(const Signs& signs) const { return legs_->determinant(signs); }
+  const Range& determinant(const Signs& signs) const { return legs_->determinant(signs); }
 
   /// At every pose of the box that all legs reach; 0 where det A has another sign.
-  Interval index(ParallelIndex kind, const Signs& signs, int sign) const {
-    const auto& margins = at_.tests.margins();
-    const bool normalised = kind == ParallelIndex::normalised;
-    const Interval all = every_index(kind);
-    const Interval squares =
-        normalised ? margins.squared_norms(*legs_, signs) : margins.squared_scales(*legs_);
-    if (!squares.positive()) return all;
-    return intersection(all, of_sign(determinant(signs), sign) * reciprocal(square_root(squares)));
+  Range index(ParallelIndex kind, const Signs& signs, int sign) const {
+    const Range all = every_index(kind), squares = at_.tests.margins().index_squares(kind, *legs_, signs);
+    if (in_none(squares.positive())) return all;
+    const Range index = of_sign(determinant(signs), sign) * reciprocal(square_root(squares));
+    return where(squares.positive(), intersection(all, index), all);
   }
 
   Verdict parallel_margins_by_squares(const Signs& signs) const {
     return at_.tests.margins().parallel(square(determinant(signs)), *legs_, signs);
   }
 
-  int sign_of(const Interval& determinant, const Signs&) const {
-    return determinant.positive() ? 1 : determinant.negative() ? -1 : 0;
+  ProvedSign<Mask> proved_sign(const Range& determinant, const Signs&) const {
+    return {determinant.positive(), determinant.negative()};
   }
 
  private:
-  static std::array<Interval, coordinate_count> ranges(const ChartBox<Chart>& at) {
-    assert_rounding_upward();
-    std::array<Interval, coordinate_count> result;
-    for (std::size_t i = 0; i < coordinate_count; ++i) result[i] = at.range(i);
-    return result;
-  }
-
-  static typename Entries::Values squares(const PlacedLegs<Chart, Interval>& placed) {
-    typename Entries::Values result;
-    for (std::size_t j = 0; j < leg_count; ++j) result[j] = placed.squared_b_entry(j);
-    return result;
-  }
-
-  ChartBox<Chart> at_;
-  PlacedLegs<Chart, Interval> placed_;
+  At at_;
+  PlacedLegs<Chart, Range> placed_;
   Entries entries_;
   mutable Constraints constraints_;  // tested where they are asked for first
-  std::optional<EvaluatedLegs<Chart, Interval>> legs_;
+  std::optional<EvaluatedLegs<Chart, Range>> legs_;
 };
 
 }  // namespace parallel_aspects

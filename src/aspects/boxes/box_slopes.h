@@ -26,32 +26,38 @@ std::array<Interval, N> ranges(const std::array<Value, N>& values) {
 /// Leaves the directions in which the poses grow where the function is positive.
 template <std::size_t N, class Value>
 void require_positive(const Dual<N, Value>& function, Monotonicity& monotonicity) {
-  if (is_positive(range_of(function)) == Verdict::unknown) monotonicity.require(ranges(function.gradient));
+  if (is_positive(range_of(function)) == Verdict::unknown) monotonicity.require(function.gradient);
 }
 
 /// The last stage (see box_stage.h), of a box that may be reachable: partial derivatives, by affine forms.
 /// With them how S(s, sigma) grows in the box, and whether it is connected; docs/theory/maps.md has the
 /// proofs.
-template <class Chart>
+template <class Chart, class Number = double>
 class BoxSlopes {
  public:
   static constexpr std::size_t leg_count = Chart::leg_count, coordinate_count = Chart::coordinate_count;
-  using Forms = BoxForms<Chart>;
+  using Forms = BoxForms<Chart, Number>;
   using Form = typename Forms::Form;
+  using Range = typename Forms::Range;
+  using Mask = typename Forms::Mask;
   using Slope = Dual<coordinate_count, Form>;
   using Signs = typename Forms::Signs;
   using Gradient = std::array<Interval, coordinate_count>;
+  using Growth = MonotonicityIn<Number>;
 
   explicit BoxSlopes(const Forms& forms)
       : forms_(forms),
         placed_(at().chart, at().root, coordinates()),
         legs_(at().chart, placed_, entry_slopes()) {
-    assert(!forms.reachable_nowhere());
+    assert(!in_all(forms.reachable_nowhere()));
   }
   explicit BoxSlopes(Forms&&) = delete;
+  static BoxSlopes of(const Forms& forms) {
+    return outlined<Number>([&forms] { return BoxSlopes(forms); });
+  }
 
   const Forms& forms() const noexcept { return forms_; }
-  const ChartBox<Chart>& at() const noexcept { return forms_.at(); }
+  const auto& at() const noexcept { return forms_.at(); }
 
   /// Partial derivatives of B_jj^2.
   Gradient squared_b_entry_gradient(std::size_t j) const {
@@ -63,39 +69,54 @@ class BoxSlopes {
     return ranges(legs_.determinant(signs).gradient);
   }
 
-  /// How S(signs, sign) grows in the box.
-  Monotonicity monotonicity(const Signs& signs, int sign) const {
-    Monotonicity all = Monotonicity::of_everything();
-    visit_open_conditions(signs, sign, [&all](const Monotonicity& each) { all = all.with(each); });
-    return all;
+  /// How S(signs, sign) grows in the box: as { condition > 0 } does for each condition that does not hold on
+  /// the whole box.
+  Growth monotonicity(const Signs& signs, int sign) const {
+    Growth growth = Growth::of_everything();
+    for (std::size_t j = 0; j < leg_count; ++j) {
+      growth.require(placed_.squared_b_entry(j).gradient, !entries().clear(j));
+      restrict_by_limits(j, signs[j], growth);
+    }
+    if constexpr (Forms::is_of_one_box) {
+      restrict_by_margins(signs, growth);
+      if (!tests().none()) require_constraints(signs, growth);
+    }
+    const Mask known = has_sign(forms_.determinant(signs), sign);
+    if (in_all(known)) return growth;
+    return growth.with(Growth::of_everything().where_or(known, monotonicity_of_determinant(signs, sign)));
   }
 
   /// Whether all of S(signs, sign) in the box is proved to be connected, be it empty.
-  bool is_whole(const Signs& signs, int sign, Detail detail, const BoxPolicy& policy) const {
-    const Monotonicity here = monotonicity(signs, sign);
-    return here.along_all(at().box) || (policy.shells && shell(signs, sign)) ||
-           (policy.faces && detail == Detail::all_parts && is_whole_on_face(here, signs, sign, policy));
+  Mask is_whole(const Signs& signs, int sign, bool shells) const {
+    const Mask along = monotonicity(signs, sign).along_all(at());
+    if (!shells || in_all(along)) return along;
+    Growth of_shell = Growth::unknown();
+    return along | shell(signs, sign, !along, of_shell);
   }
 
-  /// Where S(signs, sign) is a shell along the serial singularity: with the box oriented as the result tells,
-  /// growing upward along every coordinate, the lowest corner is not reachable, reachable poses are monotone
-  /// upward, det A has the sign all along the serial singularity and, if at all, loses it upward. Every ray
-  /// from the lowest corner then meets the set in an interval that begins at the serial singularity, if it
-  /// comes to it, and the rays that do are those to the reachable poses of the upper faces, which are
-  /// connected with the highest corner. So the set is connected, and empty only where the highest corner is
-  /// not reachable.
-  std::optional<Monotonicity> shell(const Signs& signs, int sign) const {
-    if (entries().all_clear() || forms_.is_allowed(signs) != Verdict::holds) return std::nullopt;
-    Monotonicity reachable = Monotonicity::of_everything();
+  /// Where S(signs, sign) is a shell along the serial singularity, among the boxes that are asked for; writes
+  /// how it grows. With the box oriented as that tells, growing upward along every coordinate, the lowest
+  /// corner is not reachable, reachable poses are monotone upward, det A has the sign all along the serial
+  /// singularity and, if at all, loses it upward. Every ray from the lowest corner then meets the set in an
+  /// interval that begins at the serial singularity, if it comes to it, and the rays that do are those to the
+  /// reachable poses of the upper faces, which are connected with the highest corner. So the set is
+  /// connected, and empty only where the highest corner is not reachable.
+  Mask shell(const Signs& signs, int sign, Mask asked, Growth& growth) const {
+    asked &= !entries().all_clear();
+    if (in_none(asked)) return asked;
+    asked &= forms_.is_allowed_where_reached(signs).holds;
+    if (in_none(asked)) return asked;
+    growth = Growth::of_everything();
     for (std::size_t j = 0; j < leg_count; ++j) {
-      if (entries().clear(j)) continue;
-      reachable.require(squared_b_entry_gradient(j));
-      const Interval at_boundary = determinant_without_entry(j, signs).range();
-      if (!(sign > 0 ? at_boundary.positive() : at_boundary.negative())) return std::nullopt;
+      const Mask clear = entries().clear(j);
+      if (in_all(clear)) continue;
+      growth.require(placed_.squared_b_entry(j).gradient, !clear);
+      asked &= clear | has_sign(determinant_without_entry(j, signs).range(), sign);
     }
-    const Monotonicity both = reachable.with(monotonicity_of_determinant(signs, -sign));
-    if (!both.along_all(at().box) || !is_unreachable(both.lowest(at().box))) return std::nullopt;
-    return both;
+    if (in_none(asked)) return asked;
+    growth = growth.with(monotonicity_of_determinant(signs, -sign));
+    asked &= growth.along_all(at());
+    return in_none(asked) ? asked : asked & is_lowest_unreachable(growth);
   }
 
   /// With g = B_jj^2 of a leg that is not clear, F = det A as a function of the pose and of |B_jj|, and
@@ -112,7 +133,7 @@ class BoxSlopes {
  private:
   using Points = typename EvaluatedLegs<Chart, Slope>::Links;
 
-  const BoxEntries<leg_count>& entries() const noexcept { return forms_.entries(); }
+  const auto& entries() const noexcept { return forms_.entries(); }
   const auto& tests() const noexcept { return at().tests; }
   const auto& margins() const noexcept { return tests().margins(); }
 
@@ -127,74 +148,47 @@ class BoxSlopes {
   std::array<Slope, leg_count> entry_slopes() const {
     std::array<Slope, leg_count> result;
     for (std::size_t j = 0; j < leg_count; ++j) {
-      result[j] = Slope(forms_.legs().entry(j));
-      if (!entries().clear(j)) continue;
-      const Form factor = reciprocal(Interval(2.0) * forms_.legs().entry(j), entries().value(j).lower());
+      const Form& entry = forms_.legs().entry(j);
+      result[j] = Slope(entry);
+      const Mask clear = entries().clear(j);
+      if (in_none(clear)) continue;
+      const Form factor = reciprocal(Interval(2.0) * entry, entries().value(j).lower());
       for (std::size_t i = 0; i < coordinate_count; ++i)
-        result[j].gradient[i] = factor * placed_.squared_b_entry(j).gradient[i];
+        result[j].gradient[i] = where(clear, factor * placed_.squared_b_entry(j).gradient[i], Form());
     }
     return result;
   }
 
-  LimitFunctions<Slope> limits(std::size_t j, int sign) const {
-    return at().chart.limits(j, placed_.legs[j].displacement, legs_.entry(j), sign);
+  void restrict_by_limits(std::size_t j, int sign, Growth& growth) const {
+    const Mask open = !forms_.limits(j, sign).holds, clear = entries().clear(j);
+    growth = Growth::unknown().where_or(open & !clear, growth);
+    if (!in_none(open & clear))
+      outlined<Number>([&] { require_limits(j, sign, Mask(open & clear), growth); });
   }
-
-  /// Calls `take` with how { condition > 0 } grows, for each condition of S(signs, sign) that does not hold
-  /// on the whole box.
-  template <class Take>
-  void visit_open_conditions(const Signs& signs, int sign, const Take& take) const {
-    for (std::size_t j = 0; j < leg_count; ++j) {
-      if (!entries().clear(j)) take(monotone_with(placed_.squared_b_entry(j)));
-      visit_open_limits(j, signs[j], take);
-    }
-    visit_open_margins(signs, take);
-    visit_open_constraints(signs, take);
-    const Interval value = forms_.determinant(signs);
-    if (!(sign > 0 ? value.positive() : value.negative())) take(monotonicity_of_determinant(signs, sign));
-  }
-
-  static Monotonicity monotone_with(const Slope& function) {
-    Monotonicity monotonicity = Monotonicity::of_everything();
-    monotonicity.require(ranges(function.gradient));
-    return monotonicity;
-  }
-
-  template <class Take>
-  void visit_open_limits(std::size_t j, int sign, const Take& take) const {
-    const LimitFunctions<Interval> values =
+  void require_limits(std::size_t j, int sign, const Mask& open, Growth& growth) const {
+    const LimitFunctions<Range> values =
         at().chart.limits(j, forms_.displacement(j), entries().value(j), sign);
-    if (verdict(values) == Verdict::holds) return;
-    if (!entries().clear(j)) return take(Monotonicity::unknown());
-    const LimitFunctions<Slope> slopes = limits(j, sign);
-    Monotonicity all = Monotonicity::of_everything();
+    const LimitFunctions<Slope> slopes =
+        at().chart.limits(j, placed_.legs[j].displacement, legs_.entry(j), sign);
     for (std::size_t k = 0; k < values.count; ++k) {
-      if (is_positive(values.values[k]) != Verdict::unknown) continue;
-      if (!values.any) take(monotone_with(slopes.values[k]));
-      all = all.with(monotone_with(slopes.values[k]));
+      const Mask known = values.values[k].positive() | values.values[k].negative();
+      growth.require(slopes.values[k].gradient, open & !known);
     }
-    if (values.any) take(all);
   }
 
   /// Margins of det A depend on |B_jj|, whose slope is not known of legs that are not clear.
-  template <class Take>
-  void visit_open_margins(const Signs& signs, const Take& take) const {
+  void restrict_by_margins(const Signs& signs, Growth& growth) const {
     if (forms_.keeps_margins(signs) == Verdict::holds) return;
     for (std::size_t j = 0; j < leg_count; ++j)
       if (margins().serial(j, entries().square(j)) != Verdict::holds)
-        take(monotone_with(placed_.squared_b_entry(j)));
+        growth.require(placed_.squared_b_entry(j).gradient);
     if (!margins().has_parallel() || forms_.keeps_parallel_margins(signs) == Verdict::holds) return;
-    if (!entries().all_clear()) return take(Monotonicity::unknown());
+    if (!entries().all_clear()) {
+      growth = Growth::unknown();
+      return;
+    }
     margins().for_each_parallel_function(square(legs_.determinant(signs)), legs_, signs,
-                                         [&take](const Slope& value) { take(monotone_with(value)); });
-  }
-
-  template <class Take>
-  void visit_open_constraints(const Signs& signs, const Take& take) const {
-    if (tests().none()) return;
-    Monotonicity all = Monotonicity::of_everything();
-    require_constraints(signs, all);
-    take(all);
+                                         [&growth](const Slope& value) { growth.require(value.gradient); });
   }
 
   /// Constraints besides limits of actuated joints.
@@ -249,37 +243,28 @@ class BoxSlopes {
   /// How { sign det A > 0 } grows. With g = B_jj^2 of the one leg that is not clear, d = d/dx at constant
   /// |B_jj| and D = d det A / d|B_jj|, the slope of det A times 2 |B_jj| is  2 |B_jj| d(det A) + D dg.  With
   /// several such legs each term is asked to have the sign.
-  Monotonicity monotonicity_of_determinant(const Signs& signs, int sign) const {
-    Monotonicity monotonicity = Monotonicity::of_everything();
+  Growth monotonicity_of_determinant(const Signs& signs, int sign) const {
+    return outlined<Number>([&] { return growth_of_determinant(signs, sign); });
+  }
+  Growth growth_of_determinant(const Signs& signs, int sign) const {
+    Growth growth = Growth::of_everything();
     const Interval factor(sign);
     const Slope function = factor * legs_.determinant(signs);
-    const std::size_t unclear = entries().unclear_count();
-    if (unclear != 1) monotonicity.require(ranges(function.gradient));
+    const Mask is_single = entries().single_unclear();
+    growth.require(function.gradient, !is_single);
     for (std::size_t j = 0; j < leg_count; ++j) {
-      if (entries().clear(j)) continue;
+      const Mask unclear = !entries().clear(j);
+      if (in_none(unclear)) continue;
       const Form lever = factor * slope_along_entry(j, signs),
                  weight = Interval(2.0) * forms_.legs().entry(j);
       std::array<Form, coordinate_count> term;
       for (std::size_t i = 0; i < coordinate_count; ++i) {
         term[i] = lever * placed_.squared_b_entry(j).gradient[i];
-        if (unclear == 1) term[i] += weight * function.gradient[i];
+        if (!in_none(is_single)) term[i] = where(is_single, term[i] + weight * function.gradient[i], term[i]);
       }
-      monotonicity.require(ranges(term));
+      growth.require(term, unclear);
     }
-    return monotonicity;
-  }
-
-  /// Where the set is monotone along some coordinates, it is connected if what it has of the face that it
-  /// grows to is.
-  bool is_whole_on_face(const Monotonicity& monotonicity, const Signs& signs, int sign,
-                        const BoxPolicy& policy) const {
-    Box face = at().box;
-    if (!monotonicity.flatten(face)) return false;
-    const BoxIntervals<Chart> intervals(at().with(face));
-    if (!intervals.is_indeterminate(signs, sign)) return true;
-    const Forms forms(intervals);
-    return !forms.is_indeterminate(signs, sign) ||
-           BoxSlopes(forms).is_whole(signs, sign, Detail::all_parts, policy);
+    return growth;
   }
 
   /// d det A / d|B_jj|: det A with row j turned.
@@ -292,14 +277,24 @@ class BoxSlopes {
 
   /// det A where B_jj = 0.
   Form determinant_without_entry(std::size_t j, const Signs& signs) const {
-    typename EvaluatedLegs<Chart, Form>::Rows rows = forms_.legs().rows();
-    rows[j].positive = rows[j].negative = forms_.placed().legs[j].rows.fixed;
-    return Determinants<Form, leg_count>(rows).of(signs);
+    return outlined<Number>([&] {
+      typename EvaluatedLegs<Chart, Form>::Rows rows = forms_.legs().rows();
+      rows[j].positive = rows[j].negative = forms_.placed().legs[j].rows.fixed;
+      return Determinants<Form, leg_count>(rows).of(signs);
+    });
   }
 
-  bool is_unreachable(const MapPoint& point) const {
-    const Box box{coordinate_count, point, point};
-    return BoxIntervals<Chart>(at().with(box)).reachable_nowhere();
+  Mask is_lowest_unreachable(const Growth& growth) const {
+    std::array<Range, coordinate_count> corner;
+    for (std::size_t i = 0; i < coordinate_count; ++i) {
+      const Range range = at().range(i);
+      const Number lowest = where(growth.upward(i), Number(range.lower()), Number(range.upper()));
+      corner[i] = Range(lowest, lowest);
+    }
+    const PlacedLegs<Chart, Range> placed(at().chart, at().root, corner);
+    Mask result{};
+    for (std::size_t j = 0; j < leg_count; ++j) result |= placed.squared_b_entry(j).upper() <= 0.0;
+    return result;
   }
 
   const Forms& forms_;

@@ -2,10 +2,13 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_BOX_STAGE_H
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_BOX_STAGE_H
 
+#include "aspects/boxes/box_states.h"
 #include "aspects/constraints/constraint_tests.h"
 #include "aspects/tree/leaf_state.h"
 #include "aspects/tree/pose_space.h"
 #include "interval/interval.h"
+#include "interval/interval_lanes.h"
+#include "interval/lanes.h"
 #include "legs/limit_verdict.h"
 #include "parallel_aspects/aspects/map_slice.h"
 
@@ -13,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 
 // A box of a chart (see charts.h) is evaluated in stages, each of which is made from the one before, so that
 // none can be asked for what is not known yet:
@@ -20,6 +24,9 @@
 //   BoxForms      the same by affine forms, much tighter in small boxes, and values at the center;
 //   BoxSlopes     their partial derivatives: how S(s, sigma) grows, and whether it is connected.
 // A stage refers to the one that it was made from, which has to outlive it.
+//
+// `Number` is double, or several in lanes: then there are as many boxes of one root, and what is told of each
+// is the same to the last digit as it is alone. Lanes know no constraints but limits of actuated joints.
 
 namespace parallel_aspects {
 
@@ -30,12 +37,16 @@ struct BoundedEntry {
 };
 
 /// A box of a chart, and what is asked of it. All but the bound is referred to.
-template <class Chart>
+template <class Chart, class Number = double>
 struct ChartBox {
+  static constexpr std::size_t dimension = Chart::coordinate_count;
+  using Range = RangeOf<Number>;
+  using Where = std::conditional_t<std::is_same_v<Number, double>, Box, std::array<Range, dimension>>;
+
   const Chart& chart;
   const ConstraintTests<Chart::point_dimension>& tests;
   RootIndex root;
-  const Box& box;
+  const Where& box;
   std::optional<BoundedEntry> bound = std::nullopt;
 
   /// Another box of the same root.
@@ -43,20 +54,34 @@ struct ChartBox {
     return {chart, tests, root, other, other_bound};
   }
 
-  Interval range(std::size_t i) const { return {box.lower[i], box.upper[i]}; }
+  Range range(std::size_t i) const {
+    if constexpr (std::is_same_v<Number, double>)
+      return {box.lower[i], box.upper[i]};
+    else
+      return box[i];
+  }
+  std::array<Range, dimension> ranges() const {
+    std::array<Range, dimension> result;
+    for (std::size_t i = 0; i < dimension; ++i) result[i] = range(i);
+    return result;
+  }
+  Number width(std::size_t i) const { return range(i).upper() - range(i).lower(); }
 };
 
 /// B_jj^2 and |B_jj| of each leg over a box. A leg is *clear* where B_jj^2 is positive on the whole box.
-template <std::size_t Legs>
+template <std::size_t Legs, class Number = double>
 class BoxEntries {
  public:
-  using Values = std::array<Interval, Legs>;
+  using Range = RangeOf<Number>;
+  using Mask = MaskOf<Number>;
+  using Values = std::array<Range, Legs>;
 
   BoxEntries(const Values& squares, const std::optional<BoundedEntry>& bound)
       : squares_(squares), bound_(bound) {
-    for (const Interval& square : squares_) reachable_nowhere_ = reachable_nowhere_ || square.upper() <= 0.0;
-    if (reachable_nowhere_) return;
-    for (std::size_t j = 0; j < Legs; ++j) values_[j] = square_root(square_looked_at(j));
+    for (std::size_t j = 0; j < Legs; ++j) {
+      reachable_nowhere_ |= squares_[j].upper() <= 0.0;
+      values_[j] = square_root(square_looked_at(j));
+    }
   }
 
   /// With further enclosures of B_jj^2.
@@ -66,21 +91,31 @@ class BoxEntries {
     return BoxEntries(both, bound_);
   }
 
-  /// Whether some leg reaches no pose of the box. Then there are no values.
-  bool reachable_nowhere() const noexcept { return reachable_nowhere_; }
+  /// Whether some leg reaches no pose of the box. Then the values tell nothing.
+  const Mask& reachable_nowhere() const noexcept { return reachable_nowhere_; }
 
-  const Interval& square(std::size_t j) const noexcept { return squares_[j]; }
-  const Interval& value(std::size_t j) const noexcept { return values_[j]; }
+  const Range& square(std::size_t j) const noexcept { return squares_[j]; }
+  const Range& value(std::size_t j) const noexcept { return values_[j]; }
   const Values& values() const noexcept { return values_; }
 
-  bool clear(std::size_t j) const noexcept { return squares_[j].positive(); }
-  std::size_t unclear_count() const noexcept {
-    std::size_t count = 0;
-    for (std::size_t j = 0; j < Legs; ++j) count += clear(j) ? 0U : 1U;
-    return count;
+  Mask clear(std::size_t j) const noexcept { return squares_[j].positive(); }
+  Mask all_clear() const noexcept { return all_clear_but(Legs); }
+  Mask all_clear_but(std::size_t leg) const noexcept {
+    Mask all = !Mask{};
+    for (std::size_t j = 0; j < Legs; ++j)
+      if (j != leg) all &= clear(j);
+    return all;
   }
-  bool all_clear() const noexcept { return unclear_count() == 0; }
-  bool all_clear_but(std::size_t leg) const noexcept { return unclear_count() == (clear(leg) ? 0U : 1U); }
+
+  /// Whether all legs but one are clear.
+  Mask single_unclear() const noexcept {
+    Mask some{}, several{};
+    for (std::size_t j = 0; j < Legs; ++j) {
+      several |= some & !clear(j);
+      some |= !clear(j);
+    }
+    return some & !several;
+  }
 
   /// The first leg that is not clear; none where all are.
   std::optional<std::size_t> first_unclear() const noexcept {
@@ -90,56 +125,103 @@ class BoxEntries {
   }
 
  private:
-  Interval square_looked_at(std::size_t j) const {
-    const Interval all = not_negative_part(squares_[j]);
-    if (!bound_ || j != bound_->leg || clear(j)) return all;
-    return {all.lower(), std::min(all.upper(), bound_->largest_square)};
+  Range square_looked_at(std::size_t j) const {
+    const Range all = not_negative_part(squares_[j]);
+    if (!bound_ || j != bound_->leg || in_all(clear(j))) return all;
+    return {all.lower(), smaller_of(all.upper(), in_lanes<Number>(bound_->largest_square))};
   }
 
   Values squares_, values_;
   std::optional<BoundedEntry> bound_;
-  bool reachable_nowhere_ = false;
+  Mask reachable_nowhere_{};
 };
+
+/// B_jj^2 of all legs.
+template <class Placed>
+auto squares_of(const Placed& placed) {
+  std::array<decltype(range_of(placed.squared_b_entry(0))), Placed::leg_count> result;
+  for (std::size_t j = 0; j < result.size(); ++j) result[j] = range_of(placed.squared_b_entry(j));
+  return result;
+}
+
+/// Where det A is proved to have a sign.
+template <class Mask>
+struct ProvedSign {
+  Mask positive, negative;
+};
+
+/// Whether a value is proved to have this sign.
+template <class Range>
+auto has_sign(const Range& value, int sign) {
+  return sign > 0 ? value.positive() : value.negative();
+}
+
+inline std::size_t branch_of(int sign) noexcept { return sign > 0 ? 1 : 0; }
 
 /// What intervals and affine forms tell alike. A `Stage` has
 ///  - at(): the ChartBox; entries(): BoxEntries;
 ///  - displacement(j): over intervals;
 ///  - constraints(): ConstraintVerdicts; legs(): EvaluatedLegs, unless the box is reachable nowhere;
-///  - determinant(signs): enclosure of det A; sign_of(determinant, signs): its sign where that is proved;
-///  - keeps_parallel_margins(signs): see MarginTests.
-template <class Chart, class Stage>
+///  - determinant(signs): enclosure of det A; proved_sign(determinant, signs): its sign where that is proved;
+///  - parallel_margins_by_squares(signs): see MarginTests.
+template <class Chart, class Number, class Stage>
 class BoxStage {
  public:
   static constexpr std::size_t leg_count = Chart::leg_count, coordinate_count = Chart::coordinate_count;
+  static constexpr bool is_of_one_box = std::is_same_v<Number, double>;
   using Signs = std::array<int, leg_count>;
+  using Range = RangeOf<Number>;
+  using Mask = MaskOf<Number>;
+  using Bits = BitsOf<Number>;
 
-  bool reachable_nowhere() const noexcept { return stage().entries().reachable_nowhere(); }
+  const Mask& reachable_nowhere() const noexcept { return stage().entries().reachable_nowhere(); }
 
-  LeafState state(const Signs& signs) const {
-    if (reachable_nowhere()) return LeafState::outside();
-    const Verdict allowed = is_allowed(signs);
-    if (allowed == Verdict::fails) return LeafState::outside();
-    const Interval value = stage().determinant(signs);
-    const int sign = stage().sign_of(value, signs);
-    if (sign != 0 && allowed == Verdict::holds && stage().entries().all_clear())
-      return LeafState::inside(sign);
-    if (sign != 0) return LeafState::undecided(sign > 0, sign < 0);
-    return LeafState::undecided(value.upper() > 0.0, value.lower() < 0.0);
+  /// See box_states.h; without what is known of centers and whole parts.
+  Bits states(const Signs& signs) const {
+    const Proved<Mask> allowed = is_allowed_where_reached(signs);
+    if (in_all(allowed.fails)) return Bits{};
+    const Range value = stage().determinant(signs);
+    const auto [positive, negative] = stage().proved_sign(value, signs);
+    const Bits may_be = bits_where((value.upper() > 0.0) & !negative, state_bits::may_be_positive) |
+                        bits_where((value.lower() < 0.0) & !positive, state_bits::may_be_negative);
+    const Mask inside = (positive | negative) & allowed.holds & stage().entries().all_clear();
+    return bits_where(!allowed.fails, may_be | bits_where(inside, state_bits::is_inside));
   }
 
-  /// Whether the box may hold poses of S(signs, sign) and others.
-  bool is_indeterminate(const Signs& signs, int sign) const {
-    const LeafState found = state(signs);
-    return found.may_be(sign) && !found.is_inside();
+  LeafState state(const Signs& signs) const { return state_of(states(signs)); }
+
+  /// By limits of the actuated joint of leg j.
+  const Proved<Mask>& limits(std::size_t j, int sign) const {
+    std::optional<Proved<Mask>>& found = limits_[j][branch_of(sign)];
+    if (!found)
+      found = outlined<Number>([&] {
+        return proved(
+            stage().at().chart.limits(j, stage().displacement(j), stage().entries().value(j), sign));
+      });
+    return *found;
   }
 
-  /// By limits of actuated joints.
-  Verdict within_limits(const Signs& signs) const {
-    Verdict all = Verdict::holds;
-    for (std::size_t j = 0; j < leg_count && all != Verdict::fails; ++j)
-      all = both(all, verdict(stage().at().chart.limits(j, stage().displacement(j),
-                                                        stage().entries().value(j), signs[j])));
+  /// By limits of all actuated joints.
+  Proved<Mask> limits(const Signs& signs) const {
+    Proved<Mask> all{!Mask{}, Mask{}};
+    for (std::size_t j = 0; j < leg_count && !in_all(all.fails); ++j) {
+      const Proved<Mask>& each = limits(j, signs[j]);
+      all.holds &= each.holds;
+      all.fails |= each.fails;
+    }
     return all;
+  }
+  Verdict within_limits(const Signs& signs) const { return verdict_of(limits(signs)); }
+
+  /// By limits and all other constraints; fails where no pose is reached.
+  Proved<Mask> is_allowed_where_reached(const Signs& signs) const {
+    if constexpr (is_of_one_box) {
+      const Verdict allowed = reachable_nowhere() ? Verdict::fails : is_allowed(signs);
+      return {allowed == Verdict::holds, allowed == Verdict::fails};
+    } else {
+      const Proved<Mask> all = limits(signs);
+      return {all.holds, all.fails | reachable_nowhere()};
+    }
   }
 
   /// By limits and all other constraints, where some pose may be reached.
@@ -186,6 +268,9 @@ class BoxStage {
 
  private:
   const Stage& stage() const { return static_cast<const Stage&>(*this); }
+
+  // Found where they are asked for first, and kept: by leg and branch.
+  mutable std::array<std::array<std::optional<Proved<Mask>>, 2>, leg_count> limits_;
 };
 
 }  // namespace parallel_aspects

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_CHART_CLASSIFIER_H
 
 #include "aspects/boxes/box_classifier.h"
+#include "aspects/boxes/box_proofs.h"
 #include "aspects/boxes/box_slopes.h"
 #include "aspects/boxes/index_on_arcs.h"
 #include "aspects/boxes/point_conditions.h"
@@ -36,31 +37,13 @@ class ChartClassifier final : public BoxClassifier {
 
   void classify(RootIndex root, const Box& box, ModeSet modes, Detail detail,
                 LeafState* states) const noexcept override {
-    const Intervals intervals(at(root, box));
-    ModeSet open = classify(intervals, modes, states);
-    if (open == 0) return;
-    const Forms forms(intervals);
-    open = classify(forms, open, states);
-    if (open == 0 || detail == Detail::states) return;
-    if (detail != Detail::centers) add_whole_parts(Slopes(forms), open, detail, states);
-    for_each(open, [&](std::size_t mode) {
-      const int center = forms.center_sign(signs_[mode]);
-      if (center != 0) states[mode] = states[mode].with_center(center);
-    });
+    StatesByMode<Chart, double> found(signs_, static_cast<std::int64_t>(modes));
+    found.template find<true>(at(root, box), detail, policy().shells);
+    for_each(modes, [&](std::size_t mode) { states[mode] = state_of(found[mode]); });
   }
 
   Examined examine(RootIndex root, const Box& box, std::size_t mode, int sign) const noexcept override {
-    const Signs& signs = signs_[mode];
-    const Intervals intervals(at(root, box));
-    LeafState state = intervals.state(signs);
-    if (!state.is_undecided()) return {state, Monotonicity::unknown(), std::nullopt};
-    const Forms forms(intervals);
-    state = forms.state(signs);
-    if (!state.may_be(sign) || state.is_inside()) return {state, Monotonicity::unknown(), std::nullopt};
-    const Slopes slopes(forms);
-    const Monotonicity monotonicity = slopes.monotonicity(signs, sign);
-    if (monotonicity.along_all(box)) return {state, monotonicity, std::nullopt};
-    return {state, monotonicity, policy().shells ? slopes.shell(signs, sign) : std::nullopt};
+    return ExaminedBoxes<Chart, double>(at(root, box), signs_[mode], sign, policy().shells).lane(0);
   }
 
   std::optional<MapPoint> find_wedge(RootIndex root, const Box& box, std::size_t mode,
@@ -81,7 +64,8 @@ class ChartClassifier final : public BoxClassifier {
     if (forms.reachable_nowhere()) return facts;
     facts.within_limits =
         both(forms.within_limits(signs), forms.is_allowed_otherwise(signs)) == Verdict::holds;
-    facts.determinant_sign = forms.sign_of(forms.determinant(signs), signs);
+    const ProvedSign<bool> sign = forms.proved_sign(forms.determinant(signs), signs);
+    facts.determinant_sign = sign.positive ? 1 : sign.negative ? -1 : 0;
     if (facts.determinant_sign != 0 || !forms.entries().all_clear()) return facts;
     const auto gradient = Slopes(forms).determinant_gradient(signs);
     std::copy(gradient.begin(), gradient.end(), facts.determinant_slope.begin());
@@ -95,18 +79,10 @@ class ChartClassifier final : public BoxClassifier {
 
   Interval enclose_index(RootIndex root, const Box& box, std::size_t mode, int sign, ParallelIndex index,
                          double share) const noexcept override {
-    const Intervals intervals(at(root, box));
-    if (intervals.reachable_nowhere()) return Interval(0.0);
-    const auto is_enough = [share](const Interval& range) {
-      return range.upper() - range.lower() <= share * range.upper();
-    };
-    const Interval range = intervals.index(index, signs_[mode], sign);
-    if (is_enough(range)) return range;
-    const Forms forms(intervals);
-    if (forms.reachable_nowhere()) return Interval(0.0);
-    const Interval closer = intersection(range, forms.index(index, signs_[mode], sign));
-    if (is_enough(closer)) return closer;
-    return IndexOnArcs<Chart>(intervals, signs_[mode]).closer(closer, index, sign);
+    const EnclosedIndex found =
+        BoundedIndices<Chart, double>(at(root, box), signs_[mode], sign, index, share).lane(0);
+    return found.may_be_closer ? enclose_index_on_arcs(root, box, mode, sign, index, found.range)
+                               : found.range;
   }
 
   /// The last of the work that `enclose_index` does, where the rest was done before.
@@ -131,7 +107,7 @@ class ChartClassifier final : public BoxClassifier {
   /// Of B_jj, by working mode.
   const std::vector<Signs>& signs() const noexcept { return signs_; }
 
-  const auto& margins() const noexcept { return tests_.margins(); }
+  const Tests& tests() const noexcept { return tests_; }
 
   /// Whether limits of actuated joints are the only constraints.
   bool is_limited_only() const noexcept { return tests_.none() && !tests_.margins().any(); }
@@ -151,37 +127,12 @@ class ChartClassifier final : public BoxClassifier {
 
   ChartBox<Chart> at(RootIndex root, const Box& box) const { return {chart_, tests_, root, box}; }
 
-  /// Writes the states of `modes` by this stage; returns those that stay undecided.
-  template <class Stage>
-  ModeSet classify(const Stage& stage, ModeSet modes, LeafState* states) const {
-    ModeSet open = 0;
-    for_each(modes, [&](std::size_t mode) {
-      states[mode] = stage.state(signs_[mode]);
-      if (states[mode].is_undecided()) open |= ModeSet{1} << mode;
-    });
-    return open;
-  }
-
   /// Joint values are compared with limits by intervals in every stage: affine forms tell more of B_jj alone.
   void find_unknown_limits(const Intervals& intervals, ModeSet modes, ConstraintKinds* kinds) const {
     for_each(modes, [&](std::size_t mode) {
       kinds[mode][index_of(ConstraintKind::actuated_limits)] =
           !intervals.reachable_nowhere() && intervals.within_limits(signs_[mode]) == Verdict::unknown;
     });
-  }
-
-  void add_whole_parts(const Slopes& slopes, ModeSet modes, Detail detail, LeafState* states) const {
-    for_each(modes, [&](std::size_t mode) {
-      for (const int sign : {1, -1})
-        if (states[mode].may_be(sign) && is_whole(slopes, signs_[mode], sign, detail))
-          states[mode] = states[mode].with_whole(sign);
-    });
-  }
-
-  bool is_whole(const Slopes& slopes, const Signs& signs, int sign, Detail detail) const {
-    if (slopes.is_whole(signs, sign, detail, policy())) return true;
-    return detail == Detail::all_parts && policy().wedges &&
-           WedgeProof<Chart>(slopes, signs, sign, policy()).find();
   }
 
   static BoxFacts leg_facts(const Forms& forms) {

@@ -57,7 +57,13 @@ class EvaluatedLegs {
 
   const Scalar& entry(std::size_t j) const { return entries_[j]; }
   const Rows& rows() const { return rows_; }
-  Scalar determinant(const Signs& signs) const { return determinants_.of(signs); }
+  const Scalar& determinant(const Signs& signs) const {
+    std::size_t mode = 0;
+    for (const int sign : signs) mode = 2 * mode + (sign > 0 ? 1 : 0);
+    std::optional<Scalar>& found = found_[mode];
+    if (!found) found = determinants_.of(signs);
+    return *found;
+  }
 
   /// Of A, up to a positive factor.
   const Row<Scalar, leg_count>& row(std::size_t j, int sign) const { return rows_[j].of(sign); }
@@ -98,7 +104,8 @@ class EvaluatedLegs {
   Rows rows_;
   // Found where they are asked for first, and kept.
   mutable Determinants<Scalar, leg_count> determinants_;
-  mutable std::array<std::array<MaybeLinks, 2>, leg_count> links_;  // by leg and branch
+  mutable std::array<std::optional<Scalar>, std::size_t{1} << leg_count> found_;  // of determinants, by mode
+  mutable std::array<std::array<MaybeLinks, 2>, leg_count> links_;                // by leg and branch
 };
 
 }  // namespace parallel_aspects

@@ -93,9 +93,7 @@ class IndexOnArcs {
     if (!rod) return 0.0;
     const LegsOnArc legs{box_.legs(), *leg_, chart.rows(*leg_, rod->form, d, box_.placement()).fixed,
                          rod->squared_length};
-    const auto& margins = box_.at().tests.margins();
-    const Interval squares = kind == ParallelIndex::normalised ? margins.squared_norms(legs, signs_)
-                                                               : margins.squared_scales(legs);
+    const Interval squares = box_.at().tests.margins().index_squares(kind, legs, signs_);
     const Interval all = every_index(kind);
     if (!squares.positive()) return all.upper();
     std::array<Row, leg_count> rows;

@@ -7,6 +7,7 @@
 #include "legs/limit_verdict.h"
 #include "legs/link_points.h"
 #include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include <array>
 #include <cstddef>
@@ -72,6 +73,12 @@ class MarginTests {
     auto product = unit_ * squared_norm(legs, middle, 0, signs);
     for (std::size_t j = 1; j < leg_count_; ++j) product = product * squared_norm(legs, middle, j, signs);
     return product;
+  }
+
+  /// The square of what det A of these rows is divided by to give this index.
+  template <class Legs, class Signs>
+  auto index_squares(ParallelIndex kind, const Legs& legs, const Signs& signs) const {
+    return kind == ParallelIndex::normalised ? squared_norms(legs, signs) : squared_scales(legs);
   }
 
   /// The square of what det A of these rows is divided by to give det A itself.

@@ -19,8 +19,7 @@ bool are_examined_in_lanes(const BoxClassifier& classifier, std::size_t mode, in
                            InstructionSet instructions) {
   const auto* of_chart = dynamic_cast<const ChartClassifier<Chart>*>(&classifier);
   if (of_chart == nullptr || !of_chart->is_limited_only()) return false;
-  ChartLanes<Chart>::examine(of_chart->chart(), of_chart->signs()[mode], sign, classifier.policy().shells,
-                             boxes, examined.data(), instructions);
+  ChartLanes<Chart>::examine(*of_chart, mode, sign, boxes, examined.data(), instructions);
   return true;
 }
 
@@ -32,9 +31,7 @@ bool are_bounded_in_lanes(const BoxClassifier& classifier, std::size_t mode, int
   const auto* of_chart = dynamic_cast<const ChartClassifier<Chart>*>(&classifier);
   if (of_chart == nullptr) return false;
   std::vector<EnclosedIndex> enclosed(boxes.size());
-  ChartLanes<Chart>::enclose_index(
-      {of_chart->chart(), of_chart->margins(), of_chart->signs()[mode], sign, index}, boxes, enclosed.data(),
-      instructions);
+  ChartLanes<Chart>::enclose_index(*of_chart, mode, sign, index, boxes, enclosed.data(), instructions);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Interval& known = enclosed[i].range;
     ranges[i] = enclosed[i].may_be_closer
@@ -95,16 +92,18 @@ std::vector<OpenBox> find_whole(const BoxClassifier& classifier, std::size_t mod
   return rest;
 }
 
-/// What slopes, faces and wedges show to be whole in boxes of which all else is known.
-void add_whole_parts(const BoxClassifier& classifier, std::size_t mode_count, const BoxRequests& requests,
-                     Detail detail, InstructionSet instructions) {
+/// What slopes, faces and wedges show to be whole besides in boxes of which all else is known.
+void add_whole_parts(const BoxClassifier& classifier, const BoxRequests& requests, Detail detail,
+                     InstructionSet instructions) {
   const bool all = detail == Detail::all_parts;
-  for (std::size_t mode = 0; mode < mode_count; ++mode)
+  ModeSet modes = 0;
+  for (const BoxRequest& each : requests) modes |= each.modes;
+  for (std::size_t mode = 0; mode < most_modes && modes >> mode != 0; ++mode)
     for (const int sign : {1, -1}) {
       std::vector<OpenBox> open;
       for (const BoxRequest& each : requests)
-        if (LeafState& state = each.states[mode];
-            (each.modes >> mode & 1U) != 0 && state.is_undecided() && state.may_be(sign))
+        if (LeafState& state = each.states[mode]; (each.modes >> mode & 1U) != 0 && state.is_undecided() &&
+                                                  state.may_be(sign) && !state.is_whole(sign))
           open.push_back({{each.root, each.box}, &state});
       for (const OpenBox& each :
            find_whole(classifier, mode, sign, all && classifier.policy().faces, open, instructions))
@@ -123,9 +122,8 @@ bool are_done_in_lanes(const BoxClassifier& classifier, const BoxRequests& reque
   if (of_chart == nullptr || !of_chart->is_limited_only() || (needs_parts && !has_part_lanes<Chart>))
     return false;
   const bool apart = detail == Detail::all_parts || (detail == Detail::parts && !has_slope_lanes<Chart>);
-  ChartLanes<Chart>::classify(of_chart->chart(), of_chart->signs(), requests,
-                              apart ? Detail::centers : detail, instructions);
-  if (apart) add_whole_parts(classifier, of_chart->signs().size(), requests, detail, instructions);
+  ChartLanes<Chart>::classify(*of_chart, requests, apart ? Detail::centers : detail, instructions);
+  if (apart) add_whole_parts(classifier, requests, detail, instructions);
   return true;
 }
 
@@ -159,6 +157,7 @@ void classify(const BoxClassifier& classifier, const BoxRequests& requests, Deta
     return;
   for (const BoxRequest& each : requests)
     classifier.classify(each.root, each.box, each.modes, detail, each.states);
+  if (detail == Detail::all_parts) add_whole_parts(classifier, requests, detail, instructions);
 }
 
 std::vector<Interval> enclose_index(const BoxClassifier& classifier, std::size_t mode, int sign,

@@ -3,10 +3,10 @@
 
 namespace parallel_aspects {
 
-template void ChartLanes<SO3Chart>::classify(const SO3Chart&, const ModeSigns<SO3Chart>&, const BoxRequests&,
-                                             Detail, InstructionSet) noexcept;
-template void ChartLanes<SO3Chart>::enclose_index(const IndexQuestion<SO3Chart>&,
-                                                  const std::vector<IndexRequest>&, EnclosedIndex*,
-                                                  InstructionSet) noexcept;
+template void ChartLanes<SO3Chart>::classify(const ChartClassifier<SO3Chart>&, const BoxRequests&, Detail,
+                                             InstructionSet) noexcept;
+template void ChartLanes<SO3Chart>::enclose_index(const ChartClassifier<SO3Chart>&, std::size_t, int,
+                                                  ParallelIndex, const std::vector<IndexRequest>&,
+                                                  EnclosedIndex*, InstructionSet) noexcept;
 
 }  // namespace parallel_aspects

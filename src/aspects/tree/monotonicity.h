@@ -2,7 +2,8 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_TREE_MONOTONICITY_H
 #define PARALLEL_ASPECTS_ASPECTS_TREE_MONOTONICITY_H
 
-#include "interval/interval.h"
+#include "interval/lanes.h"
+#include "interval/scalar_range.h"
 #include "parallel_aspects/aspects/map_slice.h"
 
 #include <array>
@@ -21,30 +22,46 @@ namespace parallel_aspects {
 ///
 /// A set { f > 0 } grows upward where the partial derivative of f is nowhere negative, and sets that grow
 /// alike leave intersections and unions that do.
-class Monotonicity {
+///
+/// `Number`: of one box, or of several in lanes.
+template <class Number>
+class MonotonicityIn {
  public:
+  using Mask = MaskOf<Number>;
+  using Bits = BitsOf<Number>;
+
   /// Of the whole box: along every coordinate, in both directions.
-  static Monotonicity of_everything() noexcept { return Monotonicity(0xffU, 0xffU); }
-  static Monotonicity unknown() noexcept { return Monotonicity(0, 0); }
+  static MonotonicityIn of_everything() noexcept { return {~Bits{}, ~Bits{}}; }
+  static MonotonicityIn unknown() noexcept { return {Bits{}, Bits{}}; }
 
   /// Bit i is set where it grows along coordinate i in this direction.
-  Monotonicity(std::uint8_t upward, std::uint8_t downward) noexcept : upward_(upward), downward_(downward) {}
+  MonotonicityIn(const Bits& upward, const Bits& downward) noexcept : upward_(upward), downward_(downward) {}
 
-  bool upward(std::size_t coordinate) const noexcept { return (upward_ >> coordinate & 1U) != 0; }
-  bool downward(std::size_t coordinate) const noexcept { return (downward_ >> coordinate & 1U) != 0; }
-  bool along(std::size_t coordinate) const noexcept { return upward(coordinate) || downward(coordinate); }
+  Mask upward(std::size_t coordinate) const noexcept { return (upward_ & bit(coordinate)) != 0; }
+  Mask downward(std::size_t coordinate) const noexcept { return (downward_ & bit(coordinate)) != 0; }
+  Mask along(std::size_t coordinate) const noexcept { return ((upward_ | downward_) & bit(coordinate)) != 0; }
 
-  /// Along every coordinate in which the box has a width.
-  bool along_all(const Box& box) const noexcept {
-    for (std::size_t i = 0; i < box.dimension; ++i)
-      if (box.width(i) > 0.0 && !along(i)) return false;
-    return true;
+  /// Along every coordinate in which the box, or `ChartBox`, has a width.
+  template <class AnyBox>
+  Mask along_all(const AnyBox& box) const noexcept {
+    Mask all = !Mask{};
+    for (std::size_t i = 0; i < box.dimension; ++i) all &= along(i) | !(box.width(i) > 0.0);
+    return all;
+  }
+
+  /// Of the box in one lane.
+  MonotonicityIn<double> lane(std::size_t i) const noexcept {
+    return {lane_of(upward_, i), lane_of(downward_, i)};
   }
 
   /// Leaves the directions in which both sets grow.
-  Monotonicity with(const Monotonicity& other) const noexcept {
-    return Monotonicity(static_cast<std::uint8_t>(upward_ & other.upward_),
-                        static_cast<std::uint8_t>(downward_ & other.downward_));
+  MonotonicityIn with(const MonotonicityIn& other) const noexcept {
+    return {upward_ & other.upward_, downward_ & other.downward_};
+  }
+
+  /// This where the condition holds, else the other.
+  MonotonicityIn where_or(const Mask& condition, const MonotonicityIn& other) const noexcept {
+    return {where(condition, upward_, other.upward_), where(condition, downward_, other.downward_)};
   }
 
   /// Flattens the box onto the face, edge or corner that the set grows to, along every coordinate along which
@@ -73,18 +90,24 @@ class Monotonicity {
     return corner;
   }
 
-  /// Leaves the directions in which { f > 0 } grows too, f with this gradient times any positive function.
-  template <std::size_t N>
-  void require(const std::array<Interval, N>& gradient) noexcept {
+  /// Leaves the directions in which { f > 0 } grows too, f with this gradient times any positive function;
+  /// where the condition holds.
+  template <class Value, std::size_t N>
+  void require(const std::array<Value, N>& gradient, const Mask& condition = !Mask{}) noexcept {
     for (std::size_t i = 0; i < N; ++i) {
-      if (!(gradient[i].lower() >= 0.0)) upward_ &= static_cast<std::uint8_t>(~(1U << i));
-      if (!(gradient[i].upper() <= 0.0)) downward_ &= static_cast<std::uint8_t>(~(1U << i));
+      const auto range = range_of(gradient[i]);
+      upward_ &= ~bits_where(condition & !(range.lower() >= 0.0), bit(i));
+      downward_ &= ~bits_where(condition & !(range.upper() <= 0.0), bit(i));
     }
   }
 
  private:
-  std::uint8_t upward_, downward_;  // bit i for coordinate i
+  static constexpr std::int64_t bit(std::size_t coordinate) noexcept { return std::int64_t{1} << coordinate; }
+
+  Bits upward_, downward_;  // bit i for coordinate i
 };
+
+using Monotonicity = MonotonicityIn<double>;
 
 }  // namespace parallel_aspects
 

@@ -102,8 +102,13 @@ TEST(BoxLanes, TellOfEachBoxWhatIsToldOfItAlone) {
   std::size_t compared = 0, undecided = 0;
   for (const Robot& robot : robots()) {
     const std::vector<WorkingMode> modes = working_modes(*robot);
-    const auto classifier = make_box_classifier(*robot, modes);
-    for (const Detail detail : {Detail::states, Detail::centers, Detail::parts, Detail::all_parts}) {
+    BoxPolicy without_shells;
+    without_shells.shells = false;
+    for (const auto& [detail, policy] :
+         {std::pair(Detail::states, BoxPolicy()), std::pair(Detail::centers, BoxPolicy()),
+          std::pair(Detail::parts, BoxPolicy()), std::pair(Detail::parts, without_shells),
+          std::pair(Detail::all_parts, BoxPolicy())}) {
+      const auto classifier = make_box_classifier(*robot, modes, policy);
       RandomBoxes boxes(*robot, *classifier);
       const auto count = static_cast<std::size_t>(test::thinned(120));
       std::vector<std::vector<LeafState>> one(count, std::vector<LeafState>(modes.size())), other = one;
