@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/end_notes.h"
-
 #include "model/message_text.h"
 #include "urdf/diagnosis/closure_gaps.h"
-#include "urdf/diagnosis/misplaced_ends.h"
+#include "urdf/diagnosis/diagnosis.h"
+#include "urdf/mechanism_recognition.h"
 
 #include <cmath>
 #include <iterator>

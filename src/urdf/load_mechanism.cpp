@@ -13,13 +13,8 @@
 #include "urdf/description/yaml_values.h"
 #include "urdf/diagnosis/closure_gaps.h"
 #include "urdf/diagnosis/diagnosis.h"
-#include "urdf/diagnosis/likely_slips.h"
-#include "urdf/diagnosis/misplaced_ends.h"
-#include "urdf/end_notes.h"
-#include "urdf/home_configuration.h"
 #include "urdf/mechanism_contents.h"
 #include "urdf/mechanism_recognition.h"
-#include "urdf/open_choices.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/stated_constraints.h"
 
@@ -81,6 +76,11 @@ void check_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& r
   throw InvalidDescription(problems.empty() ? wrong.problems() : problems);
 }
 
+// Any loop that closes has a platform on one hinge (R1), as the gripper of an arm: that alone is no evidence.
+bool may_be_guessed(const Mechanism::Contents& contents) {
+  return contents.manipulator->task_space() != TaskSpace::R1;
+}
+
 // Throws where there is none.
 std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>& tree,
                                                const MechanismConfig& config, const ResolvedConfig& resolved,
@@ -97,8 +97,7 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     ResolvedConfig placed = changed;
     place_at_zero(*changed_tree, placed.closures);
     const auto contents = recognise_in(changed_tree, placed, ignored);
-    if (!contents || contents->manipulator->task_space() == TaskSpace::R1)
-      return std::optional<std::string>();
+    if (!contents || !may_be_guessed(*contents)) return std::optional<std::string>();
     return std::optional<std::string>(name(contents->manipulator->task_space()));
   };
   check_ends(tree, resolved, files, search, attempt);
@@ -109,7 +108,7 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     auto contents =
         recognise_in(tree, ends_meet ? *meant : resolved, meant && !ends_meet ? of_written : problems);
     if (!contents) continue;
-    if (!search.takes_one_hinge && contents->manipulator->task_space() == TaskSpace::R1)
+    if (search.is_guess && !may_be_guessed(*contents))
       throw InvalidDescription(
           {files.urdf + " is a linkage of one degree of freedom, as a four-bar; write a YAML that states "
                         "which of its links is the platform."});

@@ -27,9 +27,8 @@ struct LoadSearch {
   std::function<void()> checkpoint = [] {};
   /// Whether a refusal names what would correct the description, which takes most of its time.
   bool looks_for_remedies = true;
-  /// Whether a platform on one hinge (R1) will do. Any loop that closes has one, as the gripper of an arm, so
-  /// that guesses and corrections leave them out.
-  bool takes_one_hinge = true;
+  /// Whether what is loaded is guessed, so that a platform on one hinge (R1) will not do.
+  bool is_guess = false;
   /// Whether messages name options of a command in place of keys of the YAML; see `SourceNames`.
   bool as_options = false;
 };

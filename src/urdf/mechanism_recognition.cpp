@@ -10,7 +10,6 @@
 #include "urdf/recognition/passive_limits.h"
 #include "urdf/recognition/platform_motion.h"
 #include "urdf/stated_constraints.h"
-#include "urdf/trial_poses.h"
 
 #include <algorithm>
 #include <cmath>

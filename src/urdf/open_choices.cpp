@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/open_choices.h"
-
 #include "model/message_text.h"
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/description/messages.h"
 #include "urdf/diagnosis/closure_gaps.h"
+#include "urdf/mechanism_recognition.h"
 
 #include <algorithm>
 #include <array>
@@ -326,8 +325,7 @@ class OpenActuation {
  private:
   Contents find_some(bool may_be_all, Problems& problems) {
     const ClosureSystem system(tree_, resolved_.base, with_type(resolved_.closures, ClosureType::point));
-    for (const auto& choices : actuation_choices(system, resolved_.actuated_joints, files_))
-      if (working_.empty()) try_all(choices);
+    try_all(actuation_choices(system, resolved_.actuated_joints, files_));
     if (working_.size() != 1) {
       if (!may_be_all || !working_.empty()) problems = {refusal()};
       return nullptr;

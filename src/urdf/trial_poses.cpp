@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/trial_poses.h"
-
 #include "model/linear_algebra.h"
 #include "model/message_text.h"
 #include "parallel_aspects/kinematics/kinematics.h"
+#include "urdf/mechanism_recognition.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a robot is shown: within all limits, and at its stated start.
-#include "urdf/home_configuration.h"
-
 #include "parallel_aspects/kinematics/kinematics.h"
+#include "urdf/mechanism_recognition.h"
 
 #include <gtest/gtest.h>
 

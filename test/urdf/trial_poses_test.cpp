@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is said of loops that rounding leaves open.
-#include "urdf/trial_poses.h"
-
 #include "urdf/description/closure.h"
+#include "urdf/mechanism_recognition.h"
 #include "urdf/reading/tree_reader.h"
 
 #include <gtest/gtest.h>

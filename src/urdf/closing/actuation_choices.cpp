@@ -8,7 +8,7 @@ namespace parallel_aspects {
 namespace {
 
 // Each is assembled and recognised, which takes tenths of a second for a hexapod.
-constexpr std::size_t max_alike = 24, max_others = 16;
+constexpr std::size_t max_choices = 24;
 
 using Choice = std::vector<std::size_t>;
 
@@ -37,20 +37,13 @@ class Chooser {
       for (const auto& leg : legs_)
         if (std::count_if(leg.begin(), leg.end(), at(depth)) == 1)
           choice.push_back(std::find_if(leg.begin(), leg.end(), at(depth))->variable);
-      add(choice, max_alike);
+      add(choice);
       for (std::size_t without = 0; without < choice.size(); ++without) {
         Choice fewer = choice;
         fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(without));
-        add(fewer, max_alike);
+        add(fewer);
       }
     }
-    return std::move(choices_);
-  }
-
-  // Any one of each leg.
-  std::vector<Choice> others() {
-    Choice choice;
-    extend(0, choice);
     return std::move(choices_);
   }
 
@@ -60,24 +53,14 @@ class Chooser {
   }
 
   // In the order of the description, once.
-  void add(Choice choice, std::size_t most) {
+  void add(Choice choice) {
     const auto place = [this](std::size_t variable) {
       return std::find(described_.begin(), described_.end(), variable);
     };
     std::sort(choice.begin(), choice.end(),
               [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
-    if (is_actuation_count(choice.size()) && choices_.size() < most && tried_.insert(choice).second)
+    if (is_actuation_count(choice.size()) && choices_.size() < max_choices && tried_.insert(choice).second)
       choices_.push_back(choice);
-  }
-
-  void extend(std::size_t leg, Choice& choice) {
-    if (choices_.size() >= max_others) return;
-    if (leg == legs_.size()) return add(choice, max_others);
-    for (const LegJoint& joint : legs_[leg]) {
-      choice.push_back(joint.variable);
-      extend(leg + 1, choice);
-      choice.pop_back();
-    }
   }
 
   const Choice& described_;
@@ -90,12 +73,9 @@ class Chooser {
 
 bool is_actuation_count(std::size_t count) noexcept { return (count >= 1 && count <= 3) || count == 6; }
 
-std::vector<std::vector<Choice>> actuation_choices(const ClosureSystem& system,
-                                                   const ActuatedJoints& described,
-                                                   const SourceNames& files) {
-  Chooser chooser(joints_by_leg(system, described, files), described.variables);
-  std::vector<Choice> alike = chooser.alike();
-  return {std::move(alike), chooser.others()};
+std::vector<Choice> actuation_choices(const ClosureSystem& system, const ActuatedJoints& described,
+                                      const SourceNames& files) {
+  return Chooser(joints_by_leg(system, described, files), described.variables).alike();
 }
 
 }  // namespace parallel_aspects

@@ -3,7 +3,6 @@
 
 #include "model/linear_algebra.h"
 #include "urdf/closing/freedom.h"
-#include "urdf/closing/pin_directions.h"
 
 #include <algorithm>
 #include <cmath>

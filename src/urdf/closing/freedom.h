@@ -51,6 +51,21 @@ std::size_t freedom_of(const ClosureSystem& system, const std::vector<Eigen::Vec
 /// misalignment in a planar robot. Found from where the mechanism is after a step of each of its motions.
 std::vector<bool> still_joints(const ClosureSystem& system, const Assembly& assembly);
 
+/// Which way round the axes of revolute closures are. No motion turns a pin around in its hole: two
+/// assemblies that differ in this are two robots.
+class PinDirections {
+ public:
+  explicit PinDirections(const ClosureSystem& system);
+
+  /// How many are not as they are drawn, where their axes are parallel at zero, as in the plane; else not the
+  /// same way round, as those of frames that coincide.
+  std::size_t turned_over(const Eigen::VectorXd& values) const;
+
+ private:
+  const ClosureSystem& system_;
+  std::vector<double> drawn_;  // cosines of the angles between the axes at zero
+};
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_CLOSING_FREEDOM_H

@@ -5,6 +5,7 @@
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/resolved_config.h"
 #include "urdf/corrections/legs_of_tree.h"
+#include "urdf/description/closure.h"
 #include "urdf/description/messages.h"
 #include "urdf/description/tree.h"
 
@@ -134,6 +135,10 @@ std::string in_brackets(const Eigen::Vector3d& vector);
 
 /// "[1, 0, 0]", as a YAML has it.
 std::string as_list(const Eigen::Vector3d& vector);
+
+/// "closures: [{frames: [a, b], type: point}] under mechanism in robot.yaml", or as an option, which has no
+/// types.
+Note closures_entry(const Tree& tree, const std::vector<Closure>& closures, const SourceNames& files);
 
 }  // namespace parallel_aspects
 

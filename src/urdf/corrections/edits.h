@@ -55,9 +55,10 @@ Edits unit_edits(const Subject& subject, const LoopJoints& joints, bool loads = 
 Edits closure_edits(const Subject& subject);
 
 /// What is wrong in one leg is as a rule wrong in each: edits of all closures, and of those of one kind by
-/// their names. This type, for those that have another one stated; and axes of revolute closures: with balls
-/// in their place, the links of some turn about one axis, and it is another one than that which is stated.
-Edits types_of_like_closures(const Subject& subject, ClosureType type);
+/// their names. Points where all have another type, as for authors who write revolute joints for all ball
+/// joints; fewer than three belong to planar robots. And axes of revolute closures: with balls in their
+/// place, the links of some turn about one axis, and it is another one than that which is stated.
+Edits points_for_all_closures(const Subject& subject);
 Edits axes_of_like_closures(const Subject& subject);
 
 /// Second frames of closures that are in one another's place; such as are beside their links only where both

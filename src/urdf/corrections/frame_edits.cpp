@@ -35,21 +35,16 @@ class FrameEdits {
   // The operational point in the place of the start of its body.
   Edits find_at_point() {
     for_point_ = true;
-    exchange_links(true, false);
+    exchange_links(false);
     return std::move(found_.back());
   }
 
-  // A link that a movable joint carries is seldom a frame of its own.
   std::vector<Edits> find() {
-    exchange_links(true, true);
+    exchange_links(true);
     exchange_parents(true);
-    add_closures(true, true);
-    exchange_links(true, false);
-    add_closures(true, false);
+    add_closures();
+    exchange_links(false);
     exchange_parents(false);
-    exchange_links(false, true);
-    exchange_links(false, false);
-    add_closures(false, false);
     return std::move(found_);
   }
 
@@ -93,11 +88,12 @@ class FrameEdits {
     return nullptr;
   }
 
-  void exchange_links(bool for_frames, bool repeated) {
+  // For a frame: a link that a movable joint carries is seldom one.
+  void exchange_links(bool repeated) {
     found_.emplace_back();
     for (std::size_t k = 0; k < closures_.size(); ++k)
       for (const std::size_t end : {0, 1})
-        if ((other_with(closures_[k].frames[end]) != nullptr) == repeated) exchange_link(k, end, for_frames);
+        if ((other_with(closures_[k].frames[end]) != nullptr) == repeated) exchange_link(k, end);
   }
 
   // In the place of a frame: the operational point too, where its body is in no loop.
@@ -116,7 +112,7 @@ class FrameEdits {
   }
 
   // What stays loose is no leg.
-  void exchange_link(std::size_t index, std::size_t end, bool for_frames) {
+  void exchange_link(std::size_t index, std::size_t end) {
     const auto& frames = closures_[index].frames;
     const LinkFrame& frame = frames[end];
     const Closure* other = other_with(frame);
@@ -124,7 +120,7 @@ class FrameEdits {
     for (const std::size_t link : open_at(frame)) {
       const std::size_t body = body_of(tree_, link);
       const bool is_meant = is_loose(link) || body == body_of(tree_, frame.link) || body == platform_;
-      if (!is_meant || is_frame(link) != for_frames || body == body_of(tree_, frames[1 - end].link)) continue;
+      if (!is_meant || !is_frame(link) || body == body_of(tree_, frames[1 - end].link)) continue;
       add(s_.file() + " names link " + s_.link(frame.link) + " in " + s_.closure(index) +
               (other != nullptr ? ", which closure '" + other->name + "' has, too"
                                 : ", while no closure has link " + s_.link(link)),
@@ -132,21 +128,18 @@ class FrameEdits {
     }
   }
 
-  // Where a chain ends in a frame and the platform has one that no closure has either, nothing that is
-  // written must be changed. Else with the operational point.
-  void add_closures(bool of_frames, bool with_open_frame) {
+  // Where a chain ends in a frame and the platform has one that no closure has either: nothing that is
+  // written must be changed.
+  void add_closures() {
     found_.emplace_back();
     Links others;
     for (const std::size_t link : open_)
       if (body_of(tree_, link) == platform_) others.push_back(link);
-    if (with_open_frame &&
-        std::none_of(others.begin(), others.end(), [this](std::size_t link) { return is_frame(link); }))
+    if (std::none_of(others.begin(), others.end(), [this](std::size_t link) { return is_frame(link); }))
       return;
-    for (const std::size_t loose : open_) {
-      if (!is_loose(loose) || is_frame(loose) != of_frames) continue;
-      const bool has_point = others.empty() && body_of(tree_, loose) != platform_;
-      for (const std::size_t other : has_point ? Links{point_} : others) add_closure(loose, other);
-    }
+    for (const std::size_t loose : open_)
+      if (is_loose(loose) && is_frame(loose))
+        for (const std::size_t other : others) add_closure(loose, other);
   }
 
   // Of the type that most closures have.

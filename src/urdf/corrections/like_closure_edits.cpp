@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/linear_algebra.h"
 #include "urdf/closing/freedom.h"
-#include "urdf/corrections/closures_entry.h"
+#include "urdf/corrections/edit.h"
 #include "urdf/corrections/edits.h"
 #include "urdf/description/name_words.h"
 
@@ -139,26 +139,24 @@ Edits axes_of_like_closures(const Subject& subject) {
   return found;
 }
 
-Edits types_of_like_closures(const Subject& subject, ClosureType type) {
+Edits points_for_all_closures(const Subject& subject) {
   const std::vector<Closure>& closures = subject.resolved.closures;
   const std::string& dialect = subject.resolved.closure_dialect;
+  const ClosureType type = closures.front().type;
+  const bool have_one_type = std::all_of(closures.begin(), closures.end(),
+                                         [&](const Closure& closure) { return closure.type == type; });
+  if (closures.size() < 3 || !have_one_type || type == ClosureType::automatic || type == ClosureType::point)
+    return {};
   Edits found;
   for (const Group& group : groups_of(closures)) {
-    Group others;
     Edit edit{
         "closures",
         subject.file() + " closes loops of " + subject.files.urdf + " by types that do not fit its joints",
-        "",
+        "write " + type_text(subject.resolved, ClosureType::point) + " for " + names_of(closures, group) +
+            " in " + (dialect.empty() ? subject.files.full_key("closures") : dialect),
         {},
         false};
-    for (const std::size_t k : group) {
-      if (closures[k].type == ClosureType::automatic || closures[k].type == type) continue;
-      others.push_back(k);
-      edit.changes.emplace_back(TypeChange{k, type});
-    }
-    if (others.empty()) continue;
-    edit.remedy = "write " + type_text(subject.resolved, type) + " for " + names_of(closures, others) +
-                  " in " + (dialect.empty() ? subject.files.full_key("closures") : dialect);
+    for (const std::size_t k : group) edit.changes.emplace_back(TypeChange{k, ClosureType::point});
     found.push_back(std::move(edit));
   }
   return found;

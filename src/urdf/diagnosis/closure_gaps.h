@@ -6,7 +6,6 @@
 #define PARALLEL_ASPECTS_URDF_DIAGNOSIS_CLOSURE_GAPS_H
 
 #include "urdf/closing/resolved_config.h"
-#include "urdf/corrections/closures_entry.h"
 #include "urdf/corrections/edit.h"
 #include "urdf/description/closure.h"
 #include "urdf/description/messages.h"

@@ -4,8 +4,6 @@
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/edits.h"
 #include "urdf/diagnosis/edit_search.h"
-#include "urdf/diagnosis/facts.h"
-#include "urdf/diagnosis/misplaced_ends.h"
 
 #include <algorithm>
 #include <functional>
@@ -36,7 +34,6 @@ enum class Cost {
   frames_and_drives,  // a frame with one of the actuated joints
   others,             // an element otherwise
   like_legs,          // the same of a joint in all legs
-  types,              // of like closures
 };
 
 void append(Edits& all, Edits more) { std::move(more.begin(), more.end(), std::back_inserter(all)); }
@@ -154,7 +151,7 @@ class Search {
         {Cost::frames, [this] { return frame_edits(s_); }},
         {Cost::passive_slides, [this] { return Kinds{passive_slide_edits(s_)}; }},
         {Cost::like_axes, [this] { return Kinds{axes_of_like_closures(s_)}; }},
-        {Cost::one_type, [this] { return Kinds{type_of_all()}; }},
+        {Cost::one_type, [this] { return Kinds{points_for_all_closures(s_)}; }},
         {Cost::like_others, [this] { return Kinds{is_known() ? Edits{} : those_of(elements(), true)}; }},
         {Cost::fitting_axes, [this] { return Kinds{is_known() ? Edits{} : axis_edits(s_, values())}; }},
         {Cost::platform_frame, [this] { return Kinds{platform_frame_edits(s_)}; }},
@@ -162,8 +159,7 @@ class Search {
         {Cost::point_frame, [this] { return Kinds{point_frame_edits(s_)}; }},
         {Cost::frames_and_drives, [this] { return frames_and_drives(); }},
         {Cost::others, [this] { return may_be_elsewhere() ? Kinds{those_of(elements(), false)} : Kinds{}; }},
-        {Cost::like_legs, [this] { return may_be_elsewhere() ? Kinds{motions_of_like_legs(s_)} : Kinds{}; }},
-        {Cost::types, [this] { return types(); }}};
+        {Cost::like_legs, [this] { return may_be_elsewhere() ? Kinds{motions_of_like_legs(s_)} : Kinds{}; }}};
   }
 
   Edits ends() const {
@@ -198,20 +194,6 @@ class Search {
     if (s_.resolved.actuation_origin.empty())
       for (const Edits& kind : frame_edits(s_)) both.push_back(with_actuation(s_, kind));
     return both;
-  }
-
-  // One for like closures, or none. Where all are revolute, as in the plane, that is right.
-  Kinds types() const {
-    const std::vector<Closure>& closures = s_.resolved.closures;
-    const bool all_revolute = std::all_of(closures.begin(), closures.end(), [](const Closure& closure) {
-      return closure.type == ClosureType::revolute;
-    });
-    Kinds all;
-    for (const ClosureType type : {ClosureType::point, ClosureType::revolute, ClosureType::universal})
-      if (!all_revolute) all.push_back(types_of_like_closures(s_, type));
-    if (s_.resolved.closure_dialect.empty())
-      all.push_back(types_of_like_closures(s_, ClosureType::automatic));
-    return all;
   }
 
   // Where a chain was in no loop, an edit that puts it into one is preferred. Else the frame that a joint
@@ -250,16 +232,6 @@ class Search {
   bool has_mobility() {
     return is_assembled() && assembled().assembly->motions.cols() ==
                                  static_cast<Eigen::Index>(s_.resolved.actuated_joints.variables.size());
-  }
-
-  // For authors who write revolute joints for all ball joints. Fewer joints belong to planar robots.
-  Edits type_of_all() const {
-    const std::vector<Closure>& closures = s_.resolved.closures;
-    const bool is_one = closures.size() > 2 && closures.front().type != ClosureType::automatic &&
-                        std::all_of(closures.begin(), closures.end(), [&](const Closure& closure) {
-                          return closure.type == closures.front().type;
-                        });
-    return is_one ? types_of_like_closures(s_, ClosureType::point) : Edits{};
   }
 
   // Then lengths and axes are not at fault.

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/diagnosis/facts.h"
-
 #include "model/linear_algebra.h"
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/chain.h"
 #include "urdf/closing/freedom.h"
 #include "urdf/corrections/edit.h"
+#include "urdf/diagnosis/diagnosis.h"
 
 #include <algorithm>
 #include <array>

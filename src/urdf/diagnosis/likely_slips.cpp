@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/diagnosis/likely_slips.h"
-
 #include "model/message_text.h"
 #include "urdf/corrections/edit.h"
 #include "urdf/description/name_words.h"
 #include "urdf/diagnosis/closure_gaps.h"
-#include "urdf/diagnosis/misplaced_ends.h"
+#include "urdf/diagnosis/diagnosis.h"
 
 #include <Eigen/Geometry>
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/diagnosis/misplaced_ends.h"
-
 #include "model/message_text.h"
 #include "urdf/corrections/edits.h"
 #include "urdf/diagnosis/closure_gaps.h"
+#include "urdf/diagnosis/diagnosis.h"
 #include "urdf/diagnosis/edit_search.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 
 #include "model/message_text.h"
 #include "urdf/description/xml_values.h"
-#include "urdf/reading/directed_joint.h"
 #include "urdf/reading/spanning_tree.h"
 
 #include <tinyxml2.h>

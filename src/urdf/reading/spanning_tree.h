@@ -4,6 +4,8 @@
 
 #include "urdf/reading/robot_graph.h"
 
+#include <Eigen/Geometry>
+
 #include <cstddef>
 #include <vector>
 
@@ -22,6 +24,27 @@ struct SpanningTree {
 /// joints in the order of the file, and constraints last. The base is the world or, where the robot floats,
 /// the first body of the largest part.
 SpanningTree spanning_tree(const RobotGraph& graph);
+
+/// One axis of a joint.
+struct DirectedStep {
+  Eigen::Vector3d axis;  ///< unit vector, as the child is turned at zero
+  bool slides = false;   ///< along the axis; else it turns about it
+  JointLimits limits;    ///< rad or m
+};
+
+/// A joint as seen from the base, whose bodies it joins one axis after the other.
+struct DirectedJoint {
+  std::size_t parent = 0, child = 0;
+  Eigen::Isometry3d from, to;  ///< the joint frame in parent and child, which coincide at zero [m]
+  std::vector<DirectedStep> steps;
+};
+
+/// `reversed`: the child of the graph is nearer to the base. A ball turns about the axes x, y and z of the
+/// body that it carries.
+DirectedJoint directed(const GraphJoint& joint, bool reversed);
+
+/// Whether the last axis may be taken through the origin of the body that it carries.
+bool ends_in_origin(const DirectedJoint& joint);
 
 }  // namespace parallel_aspects
 

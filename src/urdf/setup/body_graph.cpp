@@ -55,6 +55,14 @@ std::vector<std::size_t> BodyGraph::moving_bodies(std::size_t base) const {
   return result;
 }
 
+std::vector<std::size_t> movable_joints_to(const Tree& tree, std::size_t link) {
+  std::vector<std::size_t> joints;
+  for (auto above = tree.joint_above[link]; above; above = tree.joint_above[tree.joints[*above].parent])
+    if (tree.joints[*above].variable) joints.push_back(*above);
+  std::reverse(joints.begin(), joints.end());
+  return joints;
+}
+
 std::size_t closed_again(const Bodies& bodies, const std::vector<Closure>& closures,
                          const std::vector<Closure>& others) {
   const auto pair_of = [&](const Closure& closure) {

@@ -24,6 +24,9 @@ class Bodies {
   std::vector<std::vector<std::size_t>> links_;  // by body, the first nearest to the root
 };
 
+/// From the root to a link, of the tree's.
+std::vector<std::size_t> movable_joints_to(const Tree& tree, std::size_t link);
+
 /// How many of these closures hold two bodies together that one of the others does.
 std::size_t closed_again(const Bodies& bodies, const std::vector<Closure>& closures,
                          const std::vector<Closure>& others);

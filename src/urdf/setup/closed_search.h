@@ -61,6 +61,15 @@ std::shared_ptr<const Mechanism> tried(const SetupSubject& subject, const SetupD
 ClosedResult search_closed(const SetupSubject& subject, SetupClosures closures,
                            const SetupCandidate& described);
 
+struct Refusal {
+  Problems problems;
+  bool is_explained = false;  ///< whether they say what makes a robot of it, or that nothing does
+};
+
+/// Why what was tried makes no robot, in the words of the options, with what would correct it where that is
+/// found in time: of what was tried first, and else of what was tried for other platforms.
+Refusal refusal_of(const SetupSubject& subject, const ClosedResult& found);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_SETUP_CLOSED_SEARCH_H

@@ -13,7 +13,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int least_of_leg = 2;  // joints; a turntable has one
+constexpr std::size_t least_of_leg = 2;  // joints; a turntable has one
 
 const SetupCandidate* taken_for(const std::string& key, const SetupResult& found) {
   for (const SetupChoice& choice : found.choices)
@@ -28,9 +28,9 @@ bool any_says_base(const Tree& tree, const std::vector<std::size_t>& links) {
 
 // Else it is on slides alone, as a platform that is hung on them.
 bool turns_below(const Tree& tree, std::size_t link) {
-  for (auto joint = tree.joint_above[link]; joint; joint = tree.joint_above[tree.joints[*joint].parent])
-    if (tree.joints[*joint].motion == JointMotion::revolute) return true;
-  return false;
+  const std::vector<std::size_t> joints = movable_joints_to(tree, link);
+  return std::any_of(joints.begin(), joints.end(),
+                     [&](std::size_t joint) { return tree.joints[joint].motion == JointMotion::revolute; });
 }
 
 // Both links of each closure; nothing where one is a place.
@@ -66,13 +66,6 @@ std::vector<TreeJoint> joints_of_ends(const Tree& tree, const Bodies& bodies,
 }
 
 }  // namespace
-
-int movable_joints_below(const Tree& tree, std::size_t link) {
-  int count = 0;
-  for (auto joint = tree.joint_above[link]; joint; joint = tree.joint_above[tree.joints[*joint].parent])
-    count += tree.joints[*joint].variable ? 1 : 0;
-  return count;
-}
 
 std::vector<bool> fittings(const Tree& tree) {
   std::vector<bool> marks(tree.links.size()), holds(tree.links.size(), false);
@@ -112,7 +105,7 @@ std::optional<Pairing> ends_on_root(const Tree& tree, const Bodies& bodies, cons
   if (!found.mechanism || base == nullptr || closures == nullptr) return std::nullopt;
   const std::size_t link = *tree.link_named(base->values.front());
   if (!any_says_base(tree, bodies.links(0)) || any_says_base(tree, bodies.links(bodies.of(link))) ||
-      movable_joints_below(tree, link) < least_of_leg)
+      movable_joints_to(tree, link).size() < least_of_leg)
     return std::nullopt;
   const Poses poses = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
   Pairing on_root{{}, "where they are while all joints are zero, so that the chain is a leg"};

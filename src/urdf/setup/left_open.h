@@ -14,9 +14,6 @@
 
 namespace parallel_aspects {
 
-/// Between a link and the root.
-int movable_joints_below(const Tree& tree, std::size_t link);
-
 /// Marks links that no loop is closed at by their names, as cameras and fingers, and with nothing else on
 /// them.
 std::vector<bool> fittings(const Tree& tree);

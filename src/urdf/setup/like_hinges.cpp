@@ -13,11 +13,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of the movable joints between a link and the root.
-std::vector<JointMotion> motions_below(const Tree& tree, std::size_t link) {
+// Of the movable joints between the root and a link.
+std::vector<JointMotion> motions_to(const Tree& tree, std::size_t link) {
   std::vector<JointMotion> motions;
-  for (auto joint = tree.joint_above[link]; joint; joint = tree.joint_above[tree.joints[*joint].parent])
-    if (tree.joints[*joint].variable) motions.push_back(tree.joints[*joint].motion);
+  for (const std::size_t joint : movable_joints_to(tree, link)) motions.push_back(tree.joints[joint].motion);
   return motions;
 }
 
@@ -38,7 +37,7 @@ class LikeHinges {
         bodies_(bodies),
         hinge_(hinge),
         poses_(link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()))),
-        motions_(motions_below(tree, hinge.parent)) {
+        motions_(motions_to(tree, hinge.parent)) {
     const Eigen::Isometry3d in_body = in_own_body(hinge.parent) * hinge.origin;
     place_ = in_body.translation();
     axis_ = in_body.linear() * hinge.axis;
@@ -47,7 +46,7 @@ class LikeHinges {
 
   // Whether the chain ends as that of the hinge does, but for the hinge.
   bool ends_alike(std::size_t tip) const {
-    return motions_below(tree_, tip) == motions_ &&
+    return motions_to(tree_, tip) == motions_ &&
            (in_own_body(tip).translation() - place_).norm() < tolerance_;
   }
 

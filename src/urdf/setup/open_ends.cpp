@@ -20,19 +20,11 @@ constexpr double coincident = 1e-4;
 constexpr double near = 0.02;
 constexpr double on_joint = 1e-6;  // to which lengths are written [m]
 
-// Movable joints from the root to a link.
-std::vector<std::size_t> joints_to(const Tree& tree, std::size_t link) {
-  std::vector<std::size_t> joints;
-  for (auto above = tree.joint_above[link]; above; above = tree.joint_above[tree.joints[*above].parent])
-    if (tree.joints[*above].variable) joints.push_back(*above);
-  std::reverse(joints.begin(), joints.end());
-  return joints;
-}
-
 // Whether a longer chain, like the one to this end, goes on beside the origin of the link that is like it, as
 // a strut does from its piston to the ball at the far end.
 bool goes_on_beside(const Tree& tree, std::size_t longer, std::size_t end) {
-  const std::vector<std::size_t> carrier = joints_to(tree, longer), chain = joints_to(tree, end);
+  const std::vector<std::size_t> carrier = movable_joints_to(tree, longer),
+                                 chain = movable_joints_to(tree, end);
   if (chain.size() >= carrier.size()) return false;
   for (std::size_t k = 0; k < chain.size(); ++k)
     if (tree.joints[carrier[k]].motion != tree.joints[chain[k]].motion) return false;
@@ -221,6 +213,14 @@ class EndFinder {
     tips_.clear();
     for (const Body& body : terminal_)
       if (body.body != hub.body) tips_.push_back(preferred(body.ends));
+    std::stable_sort(tips_.begin(), tips_.end(), [this](const auto& one, const auto& other) {
+      return start_of_chain(one.front()) < start_of_chain(other.front());
+    });
+  }
+
+  // The joint that begins it, by the order of the file, which is that of the legs.
+  std::size_t start_of_chain(std::size_t end) const {
+    return *tree_.joints[movable_joints_to(tree_, end).front()].variable;
   }
 
   // Of bodies with one end each, that whose name looks most like an operational point.

@@ -9,7 +9,6 @@
 #include "urdf/setup/closed_search.h"
 #include "urdf/setup/left_open.h"
 #include "urdf/setup/open_ends.h"
-#include "urdf/setup/refusal.h"
 #include "urdf/setup/setup_config.h"
 #include "urdf/setup/shared_ends.h"
 
@@ -40,7 +39,7 @@ std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing) {
   return closures;
 }
 
-constexpr int least_of_arm = 3;             // joints: fewer are a turntable, or a rail with one
+constexpr std::size_t least_of_arm = 3;     // joints: fewer are a turntable, or a rail with one
 constexpr std::size_t most_ends_named = 8;  // open ends of a refusal; of more it has the count
 
 using Refused = std::pair<const Pairing*, ClosedResult>;
@@ -197,7 +196,7 @@ class Setup {
   std::optional<std::string> arm_with_loops(const ClosedResult& found) const {
     if (found.draft.base_link.values.empty()) return std::nullopt;
     const std::string& base = found.draft.base_link.values.front();
-    const int joints = movable_joints_below(tree_, *tree_.link_named(base));
+    const std::size_t joints = movable_joints_to(tree_, *tree_.link_named(base)).size();
     if (joints < least_of_arm) return std::nullopt;
     return source_.files.urdf + " is a serial arm of " + std::to_string(joints) + " joints from link '" +
            tree_.links.front() + "' to link '" + base +
