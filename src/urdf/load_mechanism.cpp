@@ -2,7 +2,7 @@
 #include "urdf/load_mechanism.h"
 
 #include "model/message_text.h"
-#include "urdf/closing/actuation_choices.h"
+#include "urdf/closing/chain.h"
 #include "urdf/closing/ends_of_loops.h"
 #include "urdf/closing/freedom.h"
 #include "urdf/closing/planar_layers.h"

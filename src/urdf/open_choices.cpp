@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/message_text.h"
-#include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
+#include "urdf/closing/chain.h"
 #include "urdf/description/messages.h"
 #include "urdf/diagnosis/closure_gaps.h"
 #include "urdf/mechanism_recognition.h"

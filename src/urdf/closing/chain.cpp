@@ -2,7 +2,6 @@
 #include "urdf/closing/chain.h"
 
 #include "model/message_text.h"
-#include "urdf/closing/held_twists.h"
 
 #include <algorithm>
 #include <map>

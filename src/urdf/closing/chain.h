@@ -105,6 +105,30 @@ std::vector<std::vector<LegJoint>> joints_by_leg(const ClosureSystem& system,
                                                  const ActuatedJoints& actuated_joints,
                                                  const SourceNames& files);
 
+/// A movable joint or closure between two rigid bodies.
+struct Edge {
+  std::size_t from = 0, to = 0;  ///< bodies; for a joint from parent to child
+  Chain pivots;                  ///< one, or two for a universal closure
+};
+
+using TwistMatrix = Eigen::Matrix<double, 6, 6>;
+
+/// A matrix that is zero on the twists (w, v) which these joints and closures allow the body `platform`
+/// against `base`, and nothing else; lengths in units of `size` [m].
+TwistMatrix held_twists(const std::vector<Edge>& edges, std::size_t base, std::size_t platform, double size);
+
+/// How many independent twists all of these allow together.
+Eigen::Index freedom_left(const std::vector<TwistMatrix>& held);
+
+/// Whether a fully parallel robot may have so many actuated joints: one, two, three or six.
+bool is_actuation_count(std::size_t count) noexcept;
+
+/// Which of `described.variables`, of which there may be too many, can be the actuated joints: those at one
+/// distance from the base in all legs, or in all but one.
+std::vector<std::vector<std::size_t>> actuation_choices(const ClosureSystem& system,
+                                                        const ActuatedJoints& described,
+                                                        const SourceNames& files);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_CLOSING_CHAIN_H

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/closing/held_twists.h"
-
 #include "model/linear_algebra.h"
+#include "urdf/closing/chain.h"
 
 #include <map>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/closing/actuation_choices.h"
+#include "urdf/closing/chain.h"
 #include "urdf/corrections/edits.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/edits.h"
-#include "urdf/diagnosis/edit_search.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/diagnosis/edit_search.h"
-
-#include "urdf/closing/actuation_choices.h"
+#include "urdf/closing/chain.h"
 #include "urdf/closing/planar_layers.h"
+#include "urdf/diagnosis/diagnosis.h"
 #include "urdf/recognition/platform_motion.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/linear_algebra.h"
-#include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/chain.h"
 #include "urdf/closing/freedom.h"

@@ -3,7 +3,6 @@
 #include "urdf/corrections/edits.h"
 #include "urdf/diagnosis/closure_gaps.h"
 #include "urdf/diagnosis/diagnosis.h"
-#include "urdf/diagnosis/edit_search.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -4,7 +4,6 @@
 #include "urdf/description/messages.h"
 #include "urdf/description/text_file.h"
 #include "urdf/reading/console_capture.h"
-#include "urdf/reading/graph_text.h"
 #include "urdf/reading/robot_graph.h"
 
 #include <tinyxml2.h>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/reading/graph_text.h"
 
 #include "model/message_text.h"
 #include "urdf/description/xml_values.h"
-#include "urdf/reading/spanning_tree.h"
+#include "urdf/reading/robot_graph.h"
 
 #include <tinyxml2.h>
 

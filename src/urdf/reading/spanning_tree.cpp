@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/reading/spanning_tree.h"
+#include "urdf/reading/robot_graph.h"
 
 #include <algorithm>
 #include <numeric>

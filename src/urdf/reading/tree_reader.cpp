@@ -2,7 +2,6 @@
 #include "urdf/reading/tree_reader.h"
 
 #include "urdf/reading/console_capture.h"
-#include "urdf/reading/urdf_inspection.h"
 
 #include <boost/locale/encoding_utf.hpp>
 #include <urdf_parser/urdf_parser.h>

@@ -8,7 +8,10 @@
 
 #include <tinyxml2.h>
 
+#include <array>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +29,22 @@ std::optional<std::string> from_latin_1(const std::string& text);
 /// problems.
 std::optional<Tree> read_tree(const std::string& text, const std::string& file, Problems& problems,
                               Notes& notes);
+
+/// What urdfdom does not tell: it forgets the order of the joints, takes missing limits for zero, and passes
+/// over or prints to the console much that is wrong.
+struct UrdfInspection {
+  std::string text;                      ///< the URDF, with empty limits where urdfdom insists on some
+  std::vector<std::string> joints;       ///< names, in the order of the file
+  std::set<std::string> without_limits;  ///< revolute and prismatic joints that state none
+  std::set<std::string> mimics;          ///< joints that follow another one
+  /// Roll, pitch and yaw of the origins of joints, where one is beyond a full turn, as written [rad].
+  std::map<std::string, std::array<double, 3>> wide_angles;
+};
+
+/// Looks through the text of a URDF. What is wrong is added to `problems`, what is taken with reservations to
+/// `notes`; each a message that names `file` and the joint or link.
+UrdfInspection inspect_urdf(const std::string& text, const std::string& file, Problems& problems,
+                            Notes& notes);
 
 }  // namespace parallel_aspects
 

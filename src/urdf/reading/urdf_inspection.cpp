@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/reading/urdf_inspection.h"
 
 #include "urdf/config/mechanism_config.h"
 #include "urdf/description/nearest_name.h"

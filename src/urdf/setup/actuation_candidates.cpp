@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/actuation_candidates.h"
 
-#include "urdf/closing/actuation_choices.h"
+#include "urdf/closing/chain.h"
 #include "urdf/description/messages.h"
 #include "urdf/description/name_words.h"
 #include "urdf/description/xml_values.h"

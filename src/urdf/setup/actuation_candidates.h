@@ -4,6 +4,7 @@
 
 #include "urdf/dialects/closure_dialects.h"
 #include "urdf/setup/body_graph.h"
+#include "urdf/setup/setup.h"
 
 #include <cstddef>
 #include <optional>
@@ -73,6 +74,27 @@ std::optional<ActuationCandidate> ruled_out_by_mimic(const TakenActuation& taken
 /// The sentence on these.
 std::string note_on_mimic(const Tree& tree, const ActuationCandidate& ruled_out,
                           const std::string& urdf_name);
+
+/// A body that may be the platform.
+struct Platform {
+  std::size_t body = 0;
+  std::vector<std::size_t> links;            ///< best operational point first
+  std::vector<std::vector<GraphPart>> legs;  ///< all of them; then without one passive chain
+};
+
+/// Bodies between which and the base legs are. Those that as many legs as possible share come first, then
+/// those whose names say so, then those that a closure holds.
+std::vector<Platform> platform_candidates(const Tree& tree, const Bodies& bodies, const BodyGraph& graph,
+                                          std::size_t base, const std::vector<Closure>& closures,
+                                          const SetupAnswers& answers);
+
+/// The one body in the loops whose names say that it is the base, where those of `base`, at which the tree
+/// starts, say that it is the platform.
+std::optional<std::size_t> base_by_name(const Tree& tree, const Bodies& bodies, const BodyGraph& graph,
+                                        std::size_t base);
+
+/// Whether a closure holds a link.
+bool is_closed(const std::vector<Closure>& closures, std::size_t link);
 
 }  // namespace parallel_aspects
 

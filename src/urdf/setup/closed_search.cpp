@@ -5,7 +5,6 @@
 #include "urdf/closing/planar_layers.h"
 #include "urdf/description/name_words.h"
 #include "urdf/setup/actuation_candidates.h"
-#include "urdf/setup/platform_candidates.h"
 
 #include <algorithm>
 #include <map>

@@ -5,7 +5,6 @@
 #include "urdf/closing/planar_layers.h"
 #include "urdf/description/name_words.h"
 #include "urdf/setup/left_open.h"
-#include "urdf/setup/shared_ends.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/setup/platform_candidates.h"
-
-#include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/chain.h"
 #include "urdf/description/name_words.h"
+#include "urdf/setup/actuation_candidates.h"
 #include "urdf/setup/setup_config.h"
 
 #include <algorithm>

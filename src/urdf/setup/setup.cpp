@@ -10,7 +10,6 @@
 #include "urdf/setup/left_open.h"
 #include "urdf/setup/open_ends.h"
 #include "urdf/setup/setup_config.h"
-#include "urdf/setup/shared_ends.h"
 
 #include <tinyxml2.h>
 #include <yaml-cpp/yaml.h>

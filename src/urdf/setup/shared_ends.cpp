@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/setup/shared_ends.h"
+#include "urdf/setup/open_ends.h"
 
 #include <algorithm>
 #include <map>

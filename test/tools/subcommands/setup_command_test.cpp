@@ -181,10 +181,10 @@ TEST_F(SetupCommand, WithoutATerminalAQuestionIsAllThatIsWritten) {
   EXPECT_EQ(outcome.code, exit_code::needs_answer);
   EXPECT_EQ(outcome.output, "");
   EXPECT_FALSE(fs::exists(output_));
-  const std::string option = "--closures 'ash=blue_tip oak=green_tip'";
+  const std::string option = "--closures 'ash=green_tip oak=blue_tip'";
   EXPECT_NE(outcome.messages.find(option), std::string::npos) << outcome.messages;
   EXPECT_EQ(
-      run({"setup", unnamed_.c_str(), "-o", output_.c_str(), "--closures", "ash=blue_tip oak=green_tip"})
+      run({"setup", unnamed_.c_str(), "-o", output_.c_str(), "--closures", "ash=green_tip oak=blue_tip"})
           .code,
       exit_code::ok);
 }
@@ -193,7 +193,7 @@ TEST_F(SetupCommand, OnATerminalItAsks) {
   const Outcome outcome = answered({"setup", unnamed_.c_str(), "-o", output_.c_str()}, "2\n");
   EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages;
   EXPECT_NE(outcome.messages.find("Which one, 1 to 2?"), std::string::npos) << outcome.messages;
-  EXPECT_NE(written().find("[oak, blue_tip]"), std::string::npos) << written();
+  EXPECT_NE(written().find("[oak, green_tip]"), std::string::npos) << written();
   for (const char* typed : {"", "\n", "3\n", "0\n", "-1\n", "all\n"})
     EXPECT_EQ(answered({"setup", unnamed_.c_str(), "-o", output_.c_str(), "--replace"}, typed).code,
               exit_code::needs_answer)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Joints of a graph, whichever way round they are in the tree, against what they hold together.
-#include "urdf/reading/graph_text.h"
-
 #include "urdf/dialects/closure_dialects.h"
+#include "urdf/reading/robot_graph.h"
 #include "urdf/reading/tree_reader.h"
 
 #include <gtest/gtest.h>

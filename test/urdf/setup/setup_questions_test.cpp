@@ -175,6 +175,20 @@ TEST(Setup, SaysThatItDidNotTryAllWaysToClose) {
             "loops were tried, and of those that were one loads");
 }
 
+// With the work of the command: ends that were tried and refused are no answer.
+TEST(Setup, SaysTheCauseBeforeItAsksForEnds) {
+  const auto said = [](const std::string& urdf) {
+    const SetupResult result = set_up(urdf, "robot.urdf", "robot.yaml", {}, SetupControl{25000});
+    EXPECT_FALSE(result.question) << result.question->text;
+    return listed(result.problems);
+  };
+  const std::string rod = said(test::source_file("test/data/bad/zero_rod.urdf"));
+  EXPECT_EQ(rod.rfind("this choice has --platform 'tool' on the axis of joint 'elbow_1_joint'", 0), 0U)
+      << rod;
+  const std::string crank = said(test::source_file("test/data/bad/zero_crank.urdf"));
+  EXPECT_EQ(crank.rfind("robot.urdf puts 'crank_1_joint' and 'elbow_1_joint' on one axis", 0), 0U) << crank;
+}
+
 // No file was written, and no value given: the options that were tried can be typed as they stand.
 TEST(Setup, RefusesInTheWordsOfItsOptions) {
   for (const char* name : {"four_bar", "serial_arm"}) {
