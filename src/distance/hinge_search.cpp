@@ -31,6 +31,12 @@ std::vector<LegBoundary<3>> limits_of(const Manipulator& robot) {
   return leg_boundaries<3>(robot).limits;
 }
 
+std::variant<R1Chart, R2Chart> chart_of(const Manipulator& robot) {
+  const RoundingUpward rounding;
+  if (robot.leg_count() == 1) return R1Chart(robot);
+  return R2Chart(robot);
+}
+
 }  // namespace
 
 HingeSearch::HingeSearch(const Manipulator& manipulator, const DistanceOptions& options)
@@ -38,7 +44,8 @@ HingeSearch::HingeSearch(const Manipulator& manipulator, const DistanceOptions& 
       options_(options),
       modes_(working_modes(*robot_)),
       classifier_(make_box_classifier(*robot_, modes_)),
-      hinges_(made_under_upward_rounding<EnclosedHinges>(robot_->motions().hinges)),
+      space_(make_pose_space(robot_->motions(), Box{}, robot_->characteristic_length())),
+      chart_(chart_of(*robot_)),
       limits_(limits_of(*robot_)),
       dimension_(robot_->leg_count()) {
   queue_.reserve(static_cast<std::size_t>(most_boxes()) + 2);
@@ -47,33 +54,22 @@ HingeSearch::HingeSearch(const Manipulator& manipulator, const DistanceOptions& 
 int HingeSearch::most_boxes() const noexcept { return boxes_for_one * options_.max_boxes; }
 
 HingeSearch::Angles HingeSearch::angles_of(const Pose& pose) const noexcept {
-  const PoseCoordinates angles = pose_coordinates(robot_->task_space(), pose);
-  Angles result{};
-  for (std::size_t i = 0; i < dimension_; ++i)
-    result[i] = std::clamp(angles[static_cast<Eigen::Index>(i)] / pi, -1.0, 1.0);
-  return result;
+  const MapPoint point = space_->position(pose).point;
+  return {std::clamp(point[0], -1.0, 1.0), std::clamp(point[1], -1.0, 1.0)};
 }
 
 Pose HingeSearch::pose_at(const Angles& angles) const noexcept {
-  PoseCoordinates coordinates(static_cast<Eigen::Index>(dimension_));
-  for (std::size_t i = 0; i < dimension_; ++i) coordinates[static_cast<Eigen::Index>(i)] = pi * angles[i];
-  return pose_from_coordinates(robot_->motions(), coordinates).value_or(Pose{});
-}
-
-HingePlacement<Interval> HingeSearch::placed(const Box& box) const noexcept {
-  const Turn<Interval> first = turn_of_half_turns(Interval(box.lower[0], box.upper[0]));
-  if (dimension_ == 1) return placed_by_hinge(first);
-  return hinges_.placed(first, turn_of_half_turns(Interval(box.lower[1], box.upper[1])));
+  return space_->pose({0, {angles[0], angles[1], 0.0}});
 }
 
 Spatial<Interval> HingeSearch::displacement(const Box& box, std::size_t leg) const noexcept {
-  const HingePlacement<Interval> at = placed(box);
-  const Eigen::Vector3d &anchor = robot_->leg(leg).anchor, &base = robot_->leg(leg).base_point();
-  const Spatial<Interval> a{Interval(anchor.x()), Interval(anchor.y()), Interval(anchor.z())};
-  Spatial<Interval> result;
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] = at.position[i] + (dot(a, at.rotation[i]) - Interval(base[static_cast<Eigen::Index>(i)]));
-  return result;
+  return std::visit(
+      [&](const auto& chart) {
+        std::array<Interval, std::decay_t<decltype(chart)>::coordinate_count> at;
+        for (std::size_t i = 0; i < at.size(); ++i) at[i] = Interval(box.lower[i], box.upper[i]);
+        return chart.displacement(leg, chart.place(0, at)).from_base;
+      },
+      chart_);
 }
 
 void HingeSearch::look_from(const Pose& pose) noexcept {
@@ -105,6 +101,7 @@ BoundaryDistances HingeSearch::measure(const Pose& pose, const WorkingMode& mode
       result.status = ConfigurationStatus::at_serial_singularity;
       for (std::size_t j = dimension_; j-- > 0;)
         if ((here.clear & BoxFacts::bit(j)) == 0) result.serial = touching(j);
+      if (solution.status == InverseStatus::outside_limits) result.actuated_limit = touching(solution.leg);
       return result;
     }
     result.parallel = search(Kind::parallel);

@@ -3,8 +3,9 @@
 #define PARALLEL_ASPECTS_DISTANCE_HINGE_SEARCH_H
 
 #include "aspects/boxes/box_classifier.h"
+#include "aspects/boxes/hinge_chart.h"
+#include "aspects/tree/pose_space.h"
 #include "distance/leg_boundary.h"
-#include "legs/hinges.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 
 #include <array>
@@ -12,6 +13,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace parallel_aspects {
@@ -49,7 +51,6 @@ class HingeSearch {
   int most_boxes() const noexcept;
   Angles angles_of(const Pose& pose) const noexcept;
   Pose pose_at(const Angles& angles) const noexcept;
-  HingePlacement<Interval> placed(const Box& box) const noexcept;
   void look_from(const Pose& pose) noexcept;
   Interval distance_to(const Box& box) const noexcept;
   Spatial<Interval> displacement(const Box& box, std::size_t leg) const noexcept;
@@ -74,7 +75,8 @@ class HingeSearch {
   DistanceOptions options_;
   std::vector<WorkingMode> modes_;
   std::unique_ptr<const BoxClassifier> classifier_;
-  EnclosedHinges hinges_;
+  std::shared_ptr<const PoseSpace> space_;
+  std::variant<R1Chart, R2Chart> chart_;
   std::vector<Boundary> limits_;
   std::size_t dimension_;
   std::vector<Part> queue_;
