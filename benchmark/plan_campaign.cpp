@@ -2,7 +2,7 @@
 //
 // Prints a table of docs/development/benchmarks.md: paths between random configurations of every shipped
 // robot, and how many of them were timed with a proof. Usage: plan_campaign PAIRS SAMPLES [ROBOT...]; every
-// path is looked at SAMPLES times.
+// path is examined SAMPLES times.
 #include "parallel_aspects/motion/plan_path.h"
 
 #include "support/campaign_figures.h"

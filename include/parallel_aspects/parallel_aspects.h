@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_PARALLEL_ASPECTS_H
 
 /// @file
-/// Every public header, for those who would rather wait for the compiler than look for names.
+/// Every public header, for those who would rather wait for the compiler than search for names.
 
 /// Aspects of parallel robots: kinematics, certified maps, distances to singularities, tracking and proved
 /// motions.

@@ -25,7 +25,7 @@ std::vector<MappedAspect> aspects_of(const AspectMap& map) {
   return found;
 }
 
-/// The leg across whose singularity no neighbours are looked for, since its joint is held.
+/// The leg across whose singularity no neighbours are searched for, since its joint is held.
 std::optional<LegIndex> held_leg(const AspectMap& map) {
   if (!map.slice() || !map.slice()->joint) return std::nullopt;
   const std::size_t leg = map.slice()->joint->leg;

@@ -21,7 +21,7 @@ constexpr int most_looks = 12000;   // at poses of one grid
 constexpr int most_grids = 6;       // that are tried
 constexpr double cells_across = 3;  // of the range of one coordinate alone, at first
 constexpr double enough_finer = 1.3;
-constexpr double steps_along = 200.0;  // of the range that one coordinate is looked for in
+constexpr double steps_along = 200.0;  // of the range that one coordinate is searched for in
 constexpr int halvings = 30;
 constexpr int pushes = 1000;
 constexpr std::uint64_t flood_seed = 1;
@@ -72,7 +72,7 @@ class Flood {
   Flood(const Manipulator& manipulator, const Pose& home, TaskVector steps)
       : manipulator_(manipulator), home_(home), steps_(std::move(steps)) {}
 
-  // False where there are more poses than may be looked at.
+  // False where there are more poses than may be examined.
   bool run() {
     std::vector<Cell> open{Cell{}};
     seen_.insert(Cell{});

@@ -13,12 +13,12 @@
 
 namespace parallel_aspects {
 
-/// A box of coordinates, and a proved lower bound of what is looked for in it. Everything of this file that
+/// A box of coordinates, and a proved lower bound of what is searched for in it. Everything of this file that
 /// bounds needs a live `RoundingUpward`.
 template <std::size_t N>
 struct Cell {
   Coordinates<N> center{}, half_width{};
-  double bound = 0.0;   ///< cells of the least are looked at first
+  double bound = 0.0;   ///< cells of the least are examined first
   std::size_t tag = 0;  ///< for the search that owns it
 
   std::array<Interval, N> box() const noexcept {

@@ -148,12 +148,12 @@ bool HingeSearch::may_hold(Kind kind, const Box& box) const noexcept {
   return kind == Kind::limit || facts.clear != facts.legs;
 }
 
-// Nearer poses of the boundary than this are looked for.
+// Nearer poses of the boundary than this are searched for.
 double HingeSearch::least_way(const BoundaryDistance& found) const noexcept {
   return (1.0 - options_.tolerance) * found.upper;
 }
 
-// D is 0 of the box that holds the pose itself, so that boxes about it are looked at first, and it is found
+// D is 0 of the box that holds the pose itself, so that boxes about it are examined first, and it is found
 // whether the pose touches the boundary.
 BoundaryDistance HingeSearch::search(Kind kind) noexcept {
   BoundaryDistance found;

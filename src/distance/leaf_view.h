@@ -104,7 +104,7 @@ class LeafView {
   }
 
   /// Proved: no singularity in the leaf is closer. Where the ball is beyond `enough`, that is all that is
-  /// looked at.
+  /// examined.
   double least_distance(const SingularLeaf& leaf, double enough) const noexcept {
     const Seen seen = see(leaf.center);
     const double radius = leaf.radius, in_ball = length<size>(seen.y) - (slack_ + radius);

@@ -32,7 +32,7 @@ class MapSearch {
         view_(chart.metric()),
         turning_(LocalChart<space>::turns > 0 ? chart.metric().turning(Eigen::Vector3d::Zero()) : 0.0) {}
 
-  /// Tags of cells in which all is looked for, or only what the map does not have.
+  /// Tags of cells in which all is searched for, or only what the map does not have.
   static constexpr std::size_t unmapped = 0, beyond_map = 1;
 
   /// Allocates.

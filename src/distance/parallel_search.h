@@ -139,7 +139,7 @@ class ParallelSearch {
 
   // Left out are cells in which no pose that is nearer than the target is singular and reached: det A is
   // proved to have one sign there, or a leg not to reach; or the map has all of the cell, whose leaves are
-  // looked at.
+  // examined.
   void examine(const Cell<size>& cell) noexcept {
     if (cell.tag == MapSearch<space>::beyond_map && map_.has(determinant_->reflected(cell.box()))) return;
     ++result_.boxes;

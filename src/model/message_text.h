@@ -12,7 +12,7 @@
 
 namespace parallel_aspects {
 
-/// Digits that tell every double from all others.
+/// Digits that distinguish every double from all others.
 inline constexpr int exact_digits = 17;
 
 /// A number as people write it, "0.5" or "1e-09", with at most so many significant digits. The same in every

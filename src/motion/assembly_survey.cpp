@@ -72,7 +72,7 @@ bool SolutionProver::differ(const ProvedSolution& first, const ProvedSolution& s
 
 namespace {
 
-// The rest looks for the paths.
+// The rest searches for the paths.
 constexpr double share_of_solutions = 0.9;
 
 // Of the robot's size, and in rad.

@@ -98,7 +98,7 @@ std::vector<JointVector> plan_local_motion(const Manipulator& manipulator, const
 namespace {
 
 constexpr std::size_t max_places = 600;    // of one roadmap
-constexpr std::size_t max_leaves = 20000;  // looked at in one aspect
+constexpr std::size_t max_leaves = 20000;  // examined in one aspect
 constexpr std::size_t max_gates = 8;       // tried from one aspect to another
 
 /// A pose on either side of a serial singularity of one leg: actuated joints q_before in one aspect, q_after

@@ -22,7 +22,7 @@ struct ReachedPose {
 };
 
 /// Looks for the reachable pose of a working mode that is nearest to one that may be out of reach.
-/// Constraints besides reach and joint limits are not looked at.
+/// Constraints besides reach and joint limits are not examined.
 ///
 /// Floating point, not proved: several descents, each from a pose in reach to a local minimum of the
 /// distance, each of whose poses is in reach. Asked again and again, as while a pose is dragged, it goes on

@@ -146,7 +146,7 @@ std::vector<std::string> shipped_robots(const fs::path& share) {
 
 namespace {
 
-/// Where the YAML of the robot stands, and its text; empty where `load_robot` tells what is wrong.
+/// Where the YAML of the robot stands, and its text; empty where `load_robot` reports what is wrong.
 std::string config_text(const RobotChoice& choice, std::string& file) {
   if (!misplaced_argument(choice).empty() || !problems_of(choice).empty()) return "";
   const std::string name = choice.name();

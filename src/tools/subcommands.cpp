@@ -108,7 +108,7 @@ class Filling {
     if (word == options_end) behind_options_end_ = words.size() - 1;
     if (asks_for_help(word)) {
       word = "--help";
-      words.resize(1);  // the rest is not looked at
+      words.resize(1);  // the rest is not examined
     } else if ((word == short_output || word.rfind(short_output + "=", 0) == 0) &&
                contains(names(), long_output)) {
       word.replace(0, short_output.size(), long_output);

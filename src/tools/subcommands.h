@@ -121,7 +121,7 @@ struct UsageError : std::runtime_error {
 /// in any order. Fills the values and flags of `subcommand`. The argument after `--name` is its value,
 /// whatever it looks like, so that negative numbers and modes such as `--` need no quotes; a list goes on
 /// over the arguments after it that `Words` says, up to the next option. Behind `--` there are no options.
-/// False where one of them asks for help; the rest is then not looked at. Throws `UsageError` where an option
+/// False where one of them asks for help; the rest is then not examined. Throws `UsageError` where an option
 /// is not known, given twice, empty, without its value or required and missing.
 bool parse_arguments(const Subcommand& subcommand, const std::vector<std::string>& arguments);
 

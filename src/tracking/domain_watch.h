@@ -18,8 +18,8 @@ struct DomainState {
   std::optional<std::size_t> reference;  ///< of the first pose of which one was proved
   /// Of the last region that was proved and the reference; `unknown` while there is none.
   DomainSharing sharing = DomainSharing::unknown;
-  /// No uniqueness domain of the list holds both, for some time: the actuated joints alone no longer tell
-  /// which direct solution the robot is at for who knew it at the reference.
+  /// No uniqueness domain of the list holds both, for some time: the actuated joints alone no longer
+  /// determine which direct solution the robot is at for who knew it at the reference.
   bool warns = false;
   bool changed = false;  ///< `warns` changed with this pose
   /// Where that began which `warns` shows since it last changed: the last region before it, and the time of

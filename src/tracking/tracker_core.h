@@ -53,7 +53,7 @@ class TrackerCore {
   double spread() const noexcept;
   void lose(double time, Ambiguity ambiguity) noexcept;
   void become_ambiguous(Ambiguity ambiguity) noexcept;
-  int aspect_here() const noexcept;  // 0 where the map cannot tell
+  int aspect_here() const noexcept;  // 0 where the map cannot decide
   void identify_aspect() noexcept;
   void add(const Transition& transition) noexcept;
   Transition from_here(TransitionKind kind, double time) const noexcept;

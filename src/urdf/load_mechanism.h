@@ -21,7 +21,7 @@ class ExplainedDescription : public InvalidDescription {
   using InvalidDescription::InvalidDescription;
 };
 
-/// How a mechanism is looked for.
+/// How a mechanism is searched for.
 struct LoadSearch {
   /// Called before each attempt to assemble the mechanism; may throw, which ends the search.
   std::function<void()> checkpoint = [] {};
@@ -36,7 +36,7 @@ struct LoadSearch {
 /// A description whose names have been looked up.
 struct NamedDescription {
   std::shared_ptr<const Tree> tree;
-  MechanismConfig config;  ///< of which constraints and home are not looked at here
+  MechanismConfig config;  ///< of which constraints and home are not examined here
   ResolvedConfig resolved;
 };
 

@@ -78,7 +78,7 @@ class ConfigurationAt {
   std::array<Number, 6> q_{};
   Number squared_serial_ = 1;
 
-  // Of the leg that is looked at.
+  // Of the leg that is examined.
   const Leg* leg_ = nullptr;
   Vector anchor_;
   Number sign_ = 1, value_ = 0;

@@ -11,7 +11,7 @@ namespace parallel_aspects::test {
 inline const bool is_sanitized = dlsym(RTLD_DEFAULT, "__asan_init") != nullptr;
 
 /// How often something random is tried, or how much of it is asked for: a tenth under the sanitizers, which
-/// look for errors of memory and run fifteen times slower. Without them all of it is tried.
+/// search for errors of memory and run fifteen times slower. Without them all of it is tried.
 template <class Count>
 Count thinned(Count count) {
   return is_sanitized ? count / 10 : count;

@@ -292,7 +292,7 @@ inline Strings private_includes_in(const fs::path& root) {
   return found;
 }
 
-// Where one kind of leg is looked for, the compiler does not ask for a new one.
+// Where one kind of leg is searched for, the compiler does not ask for a new one.
 inline Strings single_kinds_in(const fs::path& root) {
   static const std::regex single(R"((get|get_if|holds_alternative)<\w*Actuation>)");
   Strings found;

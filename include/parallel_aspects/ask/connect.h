@@ -132,7 +132,7 @@ struct ConnectQuestion {
   MapSource map{};                                  ///< that is asked last, or of the slice
   RoadmapSource roadmap{};                          ///< that is asked before the map
   ParallelIndex index = ParallelIndex::normalised;  ///< of bottlenecks
-  bool brief = false;  ///< asks no map but one that is known, and looks for no bottleneck
+  bool brief = false;  ///< asks no map but one that is known, and searches for no bottleneck
 };
 
 /// Its fields.

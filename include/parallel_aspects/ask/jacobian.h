@@ -15,7 +15,7 @@ namespace parallel_aspects::ask {
 /// How the platform and the actuated joints move each other.
 struct JacobianQuestion {
   std::optional<Pose> pose{};           ///< in the task frame, or
-  std::optional<JointVector> joints{};  ///< in the order of the legs: each direct solution is looked at
+  std::optional<JointVector> joints{};  ///< in the order of the legs: each direct solution is examined
   std::optional<WorkingMode> mode{};    ///< by default every one
 };
 

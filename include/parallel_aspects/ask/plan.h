@@ -62,7 +62,7 @@ struct EndQuestion {
   std::optional<Pose> pose{};         ///< in the task frame
   std::optional<WorkingMode> mode{};  ///< by default any
   std::optional<JointVector>
-      joints{};  ///< in place of a pose, or with one, which tells of several the nearest
+      joints{};  ///< in place of a pose, or with one, which chooses the nearest of several
   std::optional<Count<1, 1000000>>
       aspect{};                      ///< in place of both: the deepest pose of this aspect of the map
   std::optional<PathEnd> tracked{};  ///< in place of all: what belongs together, as a robot is followed

@@ -163,7 +163,7 @@ class Session {
                                              ProblemList& problems);
 
   /// What was made known, or that of the known map, which is made once; null where there is none, and of a
-  /// slice, which does not tell what is beside it.
+  /// slice, which does not show what is beside it.
   std::shared_ptr<const DistanceMap> known_distances(const Control& control);
 
   /// The planner of a map; that of the map before is kept, as it knows the gates.

@@ -24,7 +24,7 @@ struct UniquenessQuestion {
   std::optional<HeldRange> cusps_over{};     ///< of SE2: curves of cusps alone
   std::optional<double> resolution{};        ///< of the map of aspects
   RoadmapSource roadmap{};                   ///< of SO3 and SE3
-  std::optional<Count<1, 1000000>> poses{};  ///< of it that are looked at
+  std::optional<Count<1, 1000000>> poses{};  ///< of it that are examined
   std::optional<std::size_t> most_cells{};   ///< as in `UniquenessOptions`
 };
 

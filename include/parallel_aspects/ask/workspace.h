@@ -30,7 +30,7 @@ void describe(Visit& visit, const AngleRange& range) {
 
 namespace ask {
 
-/// Which regular shape is looked for, as faces state it.
+/// Which regular shape is searched for, as faces state it.
 struct ShapeQuestion {
   std::optional<RegularShape> shape{};    ///< needed
   std::vector<HeldCoordinate> center{};   ///< coordinates of it that are held [m]
@@ -63,7 +63,7 @@ void describe(Visit& visit, ShapeQuestion& question) {
 struct LargestShapeQuestion {
   ShapeQuestion shape{};                           ///< which
   std::vector<Count<1, 1'000'000'000>> aspects{};  ///< by their ids; by default all
-  std::vector<WorkingMode> modes{};                ///< of which aspects are looked at; by default all
+  std::vector<WorkingMode> modes{};                ///< of which aspects are examined; by default all
   MapSource map{};                                 ///< which has them
 };
 

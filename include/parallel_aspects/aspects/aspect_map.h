@@ -94,7 +94,7 @@ struct SymmetryUse {
 /// What a map knows of a configuration.
 enum class LocationStatus {
   inside,      ///< proved: `aspect` holds the pose
-  undecided,   ///< closer to a singularity or a limit than the map can tell
+  undecided,   ///< closer to a singularity or a limit than the map can decide
   outside,     ///< proved: this working mode does not reach the pose, or not within limits
   not_mapped,  ///< outside the region of the map, or not finite
 };
@@ -213,7 +213,7 @@ struct SaveResult {
 std::string problem_of_saving(const std::string& path);
 
 /// Writes the map to a file, and its graph of aspects if that is known (`compute_aspect_graph`): who loads it
-/// need not look for gates again. At every moment the file is the old one or the new one, whole.
+/// need not search for gates again. At every moment the file is the old one or the new one, whole.
 SaveResult save_map(const AspectMap& map, const std::string& path);
 
 /// The map of this manipulator with these options, as `compute_aspect_map` gave it, if the file holds that;

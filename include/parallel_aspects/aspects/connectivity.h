@@ -144,7 +144,7 @@ struct MapBasins {
   std::vector<Basin> basins;  ///< where asked for: by working mode and sign of det A, the deepest first
 };
 
-/// How much is looked for.
+/// How much is searched for.
 enum class BasinDetail {
   depths,  ///< no basins
   basins,  ///< all, in about three times the time
@@ -171,13 +171,13 @@ struct Bottleneck {
   std::size_t halved = 0;  ///< how many boxes were divided for it
 };
 
-/// How precisely it is looked for. The search ends where the bounds differ by no more than the larger of
+/// How precisely it is searched for. The search ends where the bounds differ by no more than the larger of
 /// `relative` and `absolute`, or have taken too much work; they hold either way.
 struct BottleneckPrecision {
   double relative = 0.05;        ///< of the upper bound
   double absolute = 0.001;       ///< of the normalised index; for |det A|, whose unit varies, none
   std::size_t boxes = 400000;    ///< that are divided at most
-  std::size_t visits = 2000000;  ///< of boxes while paths are looked for, after which no more are divided
+  std::size_t visits = 2000000;  ///< of boxes while paths are searched for, after which no more are divided
 };
 
 /// Looks for it in one working mode, within the region of the map, dividing leaves where that matters.

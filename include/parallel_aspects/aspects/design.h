@@ -52,18 +52,18 @@ struct DesignQuestion {
   MapOptions map{};                              ///< of each design
 };
 
-/// How a design was looked at.
+/// How a design was examined.
 enum class DesignStatus {
   mapped,       ///< there are figures
   refused,      ///< there is no robot with these values
   unassembled,  ///< its legs reach no common pose
   not_mapped,   ///< its map is refused, as one that takes too many boxes
-  cancelled     ///< it was not looked at to its end
+  cancelled     ///< it was not examined to its end
 };
 
 /// Figures of a design. They depend on nothing but the robot and the question.
 struct DesignFigures {
-  DesignStatus status = DesignStatus::cancelled;  ///< how it was looked at
+  DesignStatus status = DesignStatus::cancelled;  ///< how it was examined
   std::string message;                            ///< why, unless mapped
 
   /// In the order of `figure_names`, all of them where mapped; nothing where a figure is not known.

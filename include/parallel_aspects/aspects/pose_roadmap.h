@@ -219,7 +219,7 @@ struct LocationBudget {
   int parts = 100;           ///< of each segment, some microseconds each
 };
 
-/// What a roadmap tells of a configuration. Whatever is set is proved.
+/// What a roadmap says of a configuration. Whatever is set is proved.
 struct RoadmapLocation {
   int determinant_sign = 0;                ///< 1 or -1; 0 where it is not proved
   std::optional<std::uint32_t> component;  ///< of that side; nothing where no segment to it was proved free
@@ -247,7 +247,7 @@ struct AspectComparison {
   /// proved free of singularities and within limits.
   std::vector<Pose> path;
 
-  /// The sign of det A at both where a path was looked for and none was found; 0 where no search can help.
+  /// The sign of det A at both where a path was searched for and none was found; 0 where no search can help.
   int searched_sign = 0;
 
   /// Where the answer is no since one of them lies in no aspect: the constraint that is proved to fail there,
@@ -262,7 +262,7 @@ struct AspectComparison {
 AspectComparison same_aspect(const SegmentCertifier& certifier, const PoseInMode& first,
                              const PoseInMode& second);
 
-/// How long a path is looked for where the roadmap has none.
+/// How long a path is searched for where the roadmap has none.
 enum class SearchEffort {
   brief,     ///< some milliseconds; for questions of which there are many
   thorough,  ///< up to a second or so; through narrow passages, too

@@ -60,9 +60,9 @@ struct BasicRegion {
 };
 
 /// A set of poses of one aspect that is connected and has no two poses of the same actuated values: there the
-/// actuated joints tell the pose (Ph. Wenger and D. Chablat, Uniqueness domains and regions of feasible paths
-/// for fully-parallel manipulators, 1998). None of the basic regions that are listed can be added to it by
-/// the paths between them that were found; one that was not found could make it larger.
+/// actuated joints determine the pose (Ph. Wenger and D. Chablat, Uniqueness domains and regions of feasible
+/// paths for fully-parallel manipulators, 1998). None of the basic regions that are listed can be added to it
+/// by the paths between them that were found; one that was not found could make it larger.
 struct UniquenessDomain {
   int aspect = 0;                            ///< id, in the map
   bool whole_aspect = false;                 ///< by the theorem for T1, T2 and T3
@@ -98,7 +98,7 @@ struct ComponentSurvey {
   int determinant_sign = 0;              ///< 1 or -1
   std::uint32_t component = 0;           ///< of that side of the roadmap, from 0
   std::size_t samples = 0;               ///< poses that the roadmap has in it
-  std::size_t poses = 0;                 ///< of these, that were looked at
+  std::size_t poses = 0;                 ///< of these, that were examined
   PosesBySolutions in_aspect;            ///< solutions that are proved to be in the same aspect, so at least
   std::size_t unknown = 0;               ///< solutions that may be in it, too
   std::optional<AssemblyChange> change;  ///< where one was found
@@ -106,7 +106,7 @@ struct ComponentSurvey {
 
 /// How many direct solutions the actuated values of a roadmap's poses have, and in which aspects.
 struct AssemblySurvey {
-  std::size_t poses = 0;       ///< that were looked at
+  std::size_t poses = 0;       ///< that were examined
   std::size_t incomplete = 0;  ///< poses whose solutions the direct solver says it may not have found all
   PosesBySolutions solutions;  ///< poses, by the solutions that were found, in whichever aspect
   std::vector<ComponentSurvey> components;  ///< of which there are poses, as the roadmap has them
@@ -134,7 +134,7 @@ struct BasicComponent {
   WorkingMode mode;             ///< of the solutions; empty: all working modes at once
   JointVector inside;           ///< actuated values in it [m]
   std::vector<Pose> solutions;  ///< all poses of these, proved
-  std::vector<int> aspects;     ///< id of the aspect that holds each; 0 where no map can tell
+  std::vector<int> aspects;     ///< id of the aspect that holds each; 0 where no map can decide
   double measure = 0.0;         ///< best estimate [m^2, or m^3 of all three joints]
   double measure_lower = 0.0;   ///< proved [m^2 or m^3]
 };
@@ -144,7 +144,7 @@ struct CuspList {
   std::vector<Cusp> cusps;  ///< within limits, by rising actuated values
   bool complete = false;    ///< it is proved that there are no others within limits
   /// Where it is not complete: bounds leave curves of poses, as those along which the platform can move while
-  /// all actuated joints stand; such curves are not looked at closely.
+  /// all actuated joints stand; such curves are not examined closely.
   bool leaves_curves = false;
 };
 
@@ -216,8 +216,8 @@ struct UniquenessOptions {
 
 /// How many direct solutions actuated values have.
 struct SolutionNumbers {
-  /// Whether they were looked for: in SE2 and in slices of SO3, unless a leg has an actuated elbow. Else what
-  /// is below is empty.
+  /// Whether they were searched for: in SE2 and in slices of SO3, unless a leg has an actuated elbow. Else
+  /// what is below is empty.
   bool has_regions = false;
   /// Whether they are numbers of solutions in each working mode, not in all at once: of robots with several
   /// of these as a whole. All is of one mode then, and `measure_unknown` the sum over them.
@@ -247,11 +247,11 @@ struct Uniqueness : SolutionNumbers {
   /// Of a slice, within limits, by rising actuated values. Of all poses cusps form curves, and none are
   /// listed.
   std::vector<Cusp> cusps;
-  bool cusps_complete = false;      ///< it is proved that there are no others within limits
-  bool has_nodes = false;           ///< whether nodes were looked for, of slices of robots with three struts
+  bool cusps_complete = false;  ///< it is proved that there are no others within limits
+  bool has_nodes = false;       ///< whether nodes were searched for, of slices of robots with three struts
   std::vector<SolutionNode> nodes;  ///< likewise
   bool nodes_complete = false;      ///< it is proved that there are no others within limits
-  /// Whether basic regions and domains were looked for, where there are numbers of solutions; else they are
+  /// Whether basic regions and domains were searched for, where there are numbers of solutions; else they are
   /// empty.
   bool has_domains = false;
   std::vector<BasicRegion> basic_regions;  ///< over sets of actuated values that are not tiny

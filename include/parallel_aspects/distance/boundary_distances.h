@@ -23,7 +23,7 @@ class DistanceMap {
  public:
   /// Looks into every leaf that is not inside an aspect, on all threads of the calling arena. Where `control`
   /// cancels it, it is not asked. Throws `InvalidDescription` for no map, and for that of a slice, which does
-  /// not tell what is beside it.
+  /// not show what is beside it.
   explicit DistanceMap(std::shared_ptr<const AspectMap> map, const MapControl& control = {});
   ~DistanceMap();
   DistanceMap(const DistanceMap&) = delete;
@@ -146,8 +146,8 @@ class BoundaryDistanceMeter {
   BoundaryDistanceMeter& operator=(BoundaryDistanceMeter&&) noexcept;  ///< takes the memory along
 
   /// From now on asks this map, too, of the same manipulator, or none where it is null. What it proves is
-  /// looked for no more, so that bounds are tighter and come sooner; they are to the same boundaries. Throws
-  /// `InvalidDescription` for the map of another manipulator.
+  /// searched for no more, so that bounds are tighter and come sooner; they are to the same boundaries.
+  /// Throws `InvalidDescription` for the map of another manipulator.
   void use(std::shared_ptr<const DistanceMap> map);
 
   /// Neither allocates nor throws.

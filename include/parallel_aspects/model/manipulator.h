@@ -44,7 +44,7 @@ struct LegKind {
 /// The proximal point c runs on a circle: c(q) = center + radius (cos q e1 + sin q e2), with e1 =
 /// zero_direction and e2 = axis x e1. Legs RRR, RUS, RSS, Delta, and spherical RRR. Joint value q in rad.
 struct RevoluteActuation {
-  /// What tells it from the other kinds.
+  /// What distinguishes it from the other kinds.
   static constexpr LegKind kind{LegType::revolute, "actuated revolute joint", true, true, true, true, true};
 
   Eigen::Vector3d center;          ///< of the circle, in the task frame [m]
@@ -56,7 +56,7 @@ struct RevoluteActuation {
 /// The proximal point runs on a line: c(q) = origin + q direction. Legs PRR, PUS, PSS. Joint value q in
 /// m.
 struct PrismaticActuation {
-  /// What tells it from the other kinds.
+  /// What distinguishes it from the other kinds.
   static constexpr LegKind kind{
       LegType::prismatic, "actuated prismatic joint", false, true, false, true, false};
 
@@ -67,7 +67,7 @@ struct PrismaticActuation {
 /// The rod itself is actuated: c fixed, rho(q) = length_at_zero + sense q. Legs RPR, UPS, SPS. Actuation
 /// value q in m.
 struct StrutActuation {
-  /// What tells it from the other kinds.
+  /// What distinguishes it from the other kinds.
   static constexpr LegKind kind{LegType::strut, "strut", false, false, false, true, false};
 
   Eigen::Vector3d base;         ///< c, in the task frame [m]
@@ -78,7 +78,7 @@ struct StrutActuation {
 /// The elbow between two links is actuated: c fixed, and by the law of cosines
 /// rho(q)^2 = inner^2 + outer^2 + 2 inner outer cos(angle_at_zero + sense q). Joint value q in rad.
 struct ElbowActuation {
-  /// What tells it from the other kinds.
+  /// What distinguishes it from the other kinds.
   static constexpr LegKind kind{LegType::elbow, "actuated elbow", true, false, false, false, true};
 
   Eigen::Vector3d base;        ///< c, in the task frame [m]
@@ -346,7 +346,7 @@ struct Constraints {
   Margins margins;                              ///< from singularities
 
   /// Limited joints that none of `passive_limits`, `passive_cones` and `hinge_limits` stands for, since
-  /// distances do not tell where they are.
+  /// distances do not determine where they are.
   std::vector<std::string> missing_joints;
 };
 

@@ -157,7 +157,7 @@ inline constexpr double start_tolerance = 0.01;
 /// not a number.
 bool is_near_start(const Manipulator& manipulator, std::size_t leg, double off) noexcept;
 
-/// The sign of det A that alone tells one of several starts from the others; 0 where there is none.
+/// The sign of det A that alone distinguishes one of several starts from the others; 0 where there is none.
 int telling_sign(const std::vector<PossibleStart>& starts, std::size_t which) noexcept;
 
 /// Every reason why actuated joints cannot be checked, a message each: no waypoint, numbers that are not

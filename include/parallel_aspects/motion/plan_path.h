@@ -111,7 +111,7 @@ struct PlannedPath {
 /// det A or by the leaves of the map; not where any crossing is allowed.
 class PathPlanner {
  public:
-  /// The map is not null. Gates are looked for with the first question that needs them.
+  /// The map is not null. Gates are searched for with the first question that needs them.
   explicit PathPlanner(std::shared_ptr<const AspectMap> map);
   ~PathPlanner();
   PathPlanner(PathPlanner&&) noexcept;  ///< leaves an object that can only be destroyed or assigned
@@ -139,8 +139,8 @@ class PathPlanner {
 
 /// Looks for a path over a roadmap, in every task space, with six degrees of freedom too. `no` is proved by
 /// signs and limits alone; that none is found proves nothing, and the answer is unknown. Parallel gates are
-/// not looked for. At a serial crossing the actuated joints run straight from the one point to the other, and
-/// that is certified by continuation: det A is not zero, of all B_jj that of `leg` alone is passed, in a
+/// not searched for. At a serial crossing the actuated joints run straight from the one point to the other,
+/// and that is certified by continuation: det A is not zero, of all B_jj that of `leg` alone is passed, in a
 /// bracket, and all constraints hold, in both postures of the leg. `from`, `to` of a crossing are 0, as
 /// aspects have no numbers here.
 PlannedPath plan_in_roadmap(const PoseRoadmap& roadmap, const PathEnd& from, const PathEnd& to,

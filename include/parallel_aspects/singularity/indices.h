@@ -30,7 +30,7 @@ struct SingularityIndices {
 SingularityIndices singularity_indices(const Manipulator& manipulator, const Pose& pose,
                                        const JointVector& q);
 
-/// Which number tells how near a configuration is to a parallel singularity.
+/// Which number measures how near a configuration is to a parallel singularity.
 enum class ParallelIndex {
   normalised,   ///< `parallel_index`
   determinant,  ///< |det A|, in the unit of `direct_determinant`

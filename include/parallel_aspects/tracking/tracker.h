@@ -61,7 +61,7 @@ JointVector unwrapped(const Manipulator& manipulator, const JointVector& last, c
 /// `SampleOptions::encoder_noise` of each actuated joint [rad or m].
 JointVector encoder_noise(const Manipulator& manipulator, const SampleOptions& options) noexcept;
 
-/// Whether velocity limits tell how far any actuated joint can have moved in a time.
+/// Whether velocity limits bound how far any actuated joint can have moved in a time.
 bool velocities_limited(const Manipulator& manipulator, const SampleOptions& options) noexcept;
 
 /// The last intervals between samples, by which a silence is distinguished from the usual rate. Never
@@ -411,7 +411,7 @@ class StandOff {
 struct StandOffEstimate {
   double largest = 0.0;  ///< [m]
   Pose at;               ///< the pose with det A = 0 that asks for it
-  int poses = 0;         ///< with det A = 0 that were looked at
+  int poses = 0;         ///< with det A = 0 that were examined
 };
 
 /// The largest stand-off of as many poses with det A = 0, next to seeded random configurations: an estimate

@@ -31,7 +31,7 @@ struct BoxPolicy {
   /// first-order approximation asks for.
   int wedge_attempts = 3;
 
-  /// Halvings of the line that the height of a wedge is looked for on: about the digits of a double.
+  /// Halvings of the line that the height of a wedge is searched for on: about the digits of a double.
   int wedge_bisections = 50;
 
   /// Halvings of the diagonal on which a shell begins: to a billionth of it.

@@ -13,7 +13,7 @@
 
 namespace parallel_aspects {
 
-/// The legs of a chart (see charts.h) over one kind of enclosures, as far as the poses alone tell.
+/// The legs of a chart (see charts.h) over one kind of enclosures, as far as the poses alone show.
 template <class Chart, class Scalar>
 struct PlacedLegs {
   static constexpr std::size_t leg_count = Chart::leg_count;

@@ -16,7 +16,7 @@
 namespace parallel_aspects {
 
 /// The index in a box where an anchor can lie on the axis of its crank: beside such a pose the crank points
-/// anywhere, so that the box alone tells nothing of the leg's row, however small it is. So its circle is
+/// anywhere, so that the box alone says nothing of the leg's row, however small it is. So its circle is
 /// divided into arcs, and the row is taken from where the crank is on each.
 template <class Chart>
 class IndexOnArcs {

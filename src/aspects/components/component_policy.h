@@ -75,8 +75,8 @@ struct ComponentPolicy {
   /// `max_degrees_of_freedom_to_look_everywhere`; below, curves of them would use up the budget.
   std::uint32_t level_of_indeterminate_leaves = 10;
 
-  /// Leaves that `ContactSearch` looks at: these, and so many for each leaf of a small component. What lies
-  /// nearest is worked on first, and more is looked at when that is settled.
+  /// Leaves that `ContactSearch` examines: these, and so many for each leaf of a small component. What lies
+  /// nearest is worked on first, and more is examined when that is settled.
   std::size_t least_leaves_to_search = 2000;
   std::size_t leaves_to_search_for_one = 8;
 
@@ -100,11 +100,11 @@ struct ComponentPolicy {
 
   // Stars in leaves that are left indeterminate (see `complete_leaves`).
 
-  /// Boxes that are looked into for a mode and sign where they are looked for by default: with one and two
+  /// Boxes that are examined for a mode and sign where they are searched for by default: with one and two
   /// degrees of freedom, where few leaves are left for most robots.
   std::size_t max_boxes_for_stars = 200;
 
-  /// Levels below a leaf to which its parts are looked into, and how many parts are.
+  /// Levels below a leaf to which its parts are examined, and how many parts are.
   std::uint32_t levels_of_stars = 14;
   std::size_t max_parts_for_stars = 30000;
 

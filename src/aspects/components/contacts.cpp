@@ -147,7 +147,7 @@ bool ContactSearch::go_on(NodeIndex node, std::uint32_t from, const VisitPathsOn
     else if (component != source.component)
       contacts_.push_back({node, node, source.leaf, graph_.node(leaf)});
   });
-  // A leaf that is in a contact will be worked on; what lies behind it is looked at when that is settled.
+  // A leaf that is in a contact will be worked on; what lies behind it is examined when that is settled.
   if (contacts_.size() > before) return true;
   for (const LeafSlot leaf : onward_) {
     std::uint32_t& reached = reached_from(leaf);

@@ -90,7 +90,7 @@ std::vector<NodeIndex> coarsest_of(const PoseTree& tree, const std::vector<NodeI
 /// Chooses leaves to work on where components of one mode and sign could meet, round by round.
 ///
 /// Where two components meet in few leaves, these are all worked on. Where the leaves are many, the two may
-/// touch along a curve or a surface, and then no depth tells them apart; or one leaf of the many may join
+/// touch along a curve or a surface, and then no depth separates them; or one leaf of the many may join
 /// them. So a few of the leaves are tried first, some levels deep. More follow where those were settled;
 /// where they were not, the components are given up.
 class ContactChoice {

@@ -316,7 +316,7 @@ class SignCompletion {
     return WitnessGroups(proofs, node, poses_, except).common_leaf();
   }
 
-  // Nothing is known where too many were looked for.
+  // Nothing is known where too many were searched for.
   Stars find(RootIndex root, const Box& box) {
     if (boxes_left_ == 0) return {};
     --boxes_left_;

@@ -18,7 +18,7 @@
 
 namespace parallel_aspects {
 
-/// Joins poses of S(mode, sign) in and about one leaf to groups, each proved connected, and looks for the
+/// Joins poses of S(mode, sign) in and about one leaf to groups, each proved connected, and searches for the
 /// component that each group is in. Needs a live `RoundingUpward`.
 class WitnessGroups {
  public:
@@ -33,7 +33,7 @@ class WitnessGroups {
   };
 
   /// `poses`: proved to be in the set, in the root box of the leaf `node`; one at least. `except`: a
-  /// component that no leaf is looked for in, or `SignGraph::none`.
+  /// component that no leaf is searched for in, or `SignGraph::none`.
   WitnessGroups(const Proofs& proofs, NodeIndex node, std::vector<MapPoint> poses, std::uint32_t except);
 
   /// A leaf of the component that all poses are in; `no_node` where they are one group that leads to none.

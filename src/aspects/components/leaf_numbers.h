@@ -110,7 +110,7 @@ class IndeterminateLeaves {
   static constexpr std::size_t fetched_ahead = 8;
   void fetch(std::size_t item) const noexcept { __builtin_prefetch(&leaves_[item]); }
 
-  /// Whether it was looked into again.
+  /// Whether it was examined again.
   bool is_examined(std::size_t item) const noexcept { return is_examined_[item]; }
   void set_examined(std::size_t item) noexcept { is_examined_[item] = true; }
 

@@ -103,7 +103,7 @@ void SignGraph::settle_faces(const PoseTree& tree, const BoxClassifier& classifi
     next = settle_some(tree, classifier, faces, next);
 }
 
-/// From the face `next` on; returns where to go on. Several are looked at together, of which some may turn
+/// From the face `next` on; returns where to go on. Several are examined together, of which some may turn
 /// out to lie between components that the others join.
 std::size_t SignGraph::settle_some(const PoseTree& tree, const BoxClassifier& classifier,
                                    const NodePairs& faces, std::size_t next) {

@@ -46,8 +46,8 @@ class SignGraph {
   /// Before they are, takes no more memory than they need.
   void reserve(const PoseTree& tree, const LeafCounts& counts);
 
-  /// Takes in a leaf of this state, if it may hold poses of the set; then tell it from all its neighbours by
-  /// `connect`.
+  /// Adds a leaf of this state, if it may hold poses of the set; then distinguish it from all its neighbours
+  /// by `connect`.
   void add_leaf(NodeIndex node, LeafState state);
   void connect(const PoseTree& tree, NodeIndex a, NodeIndex b);
 
@@ -216,7 +216,7 @@ class SignGraph {
   bool has_climbed_ = false;
   std::vector<NodeIndex> new_leaves_;  // in components, since the last climb
   std::vector<NodeIndex> members_;     // by place
-  NodePairs faces_;                    // between whole parts, not looked at yet
+  NodePairs faces_;                    // between whole parts, not examined yet
   NodePairs unknown_faces_;            // and those without a proof
 };
 

@@ -9,8 +9,8 @@ namespace parallel_aspects {
 
 /// How far a configuration is from breaking a constraint of this kind, negative where it does: m for
 /// distances, rad for joints, no unit for margins; infinite without such constraints, and for limits of
-/// actuated joints, which the actuated joint values tell. For drawing, in double precision; proves nothing.
-/// In a box it is less than the depth.
+/// actuated joints, which the actuated joint values determine. For drawing, in double precision; proves
+/// nothing. In a box it is less than the depth.
 double constraint_clearance(const Manipulator& manipulator, ConstraintKind kind, const Pose& pose,
                             const JointVector& q);
 

@@ -20,7 +20,7 @@ namespace parallel_aspects {
 /// Both legs whose joints move, over a box.
 using CuspLegs = std::array<HeldSlice::LegOver, 2>;
 
-/// Nothing where the box is too large to tell.
+/// Nothing where the box is too large to decide.
 inline std::optional<CuspLegs> legs_over(const HeldSlice& slice, const SlicePosture& posture,
                                          const SlicePlace& at) noexcept {
   const auto first = slice.leg_over(0, posture[0], at);

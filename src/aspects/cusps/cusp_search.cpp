@@ -20,7 +20,7 @@ namespace {
 // Boxes that are larger are not worth Newton's test, and smaller ones not worth being divided [half turns].
 constexpr double largest_tested = 0.1, smallest_box = 0x1p-30;
 
-// Boxes that are looked at in all. A slice with some ten cusps takes some ten thousand.
+// Boxes that are examined in all. A slice with some ten cusps takes some ten thousand.
 constexpr std::size_t largest_effort = 1000000;
 
 // Boxes of one size that are left at once. Some thousand are where D and both equations vanish along curves;

@@ -22,7 +22,7 @@ struct CuspBox {
 struct CuspBoxes {
   std::vector<CuspBox> cusps;      ///< no two the same
   std::vector<CuspBox> undecided;  ///< whatever else there is, is in these
-  /// The undecided boxes of a posture were so many that they lie along curves, which are not looked at
+  /// The undecided boxes of a posture were so many that they lie along curves, which are not examined
   /// closer.
   bool has_curves = false;
   bool cancelled = false;

@@ -38,10 +38,10 @@ class SliceFamily {
 
   Verdict within_limits(const Box& box) noexcept;
 
-  /// The sign of B_jj of the leg whose joint is held; 0 where the box is too large to tell.
+  /// The sign of B_jj of the leg whose joint is held; 0 where the box is too large to decide.
   int held_sign(const Box& box) noexcept;
 
-  /// Nothing where a joint value may not be smooth, or the box is too large to tell.
+  /// Nothing where a joint value may not be smooth, or the box is too large to decide.
   std::optional<FamilyFunctions> over(const Box& box) noexcept;
   std::optional<FamilyFunctions> at(const MapPoint& point) noexcept;
 

@@ -72,7 +72,7 @@ class HeldSlice {
     Interval entry = 1.0;  ///< B_jj where the joint moves c; 1 where it does not
   };
 
-  /// Nothing where the box is too large to tell.
+  /// Nothing where the box is too large to decide.
   virtual std::optional<LegOver> leg_over(std::size_t i, int sign, const SlicePlace& at) const noexcept = 0;
 
   /// A leg at a joint value, or over a range of them.
@@ -86,7 +86,7 @@ class HeldSlice {
   virtual LegAt leg_at(std::size_t i, const Interval& q) const noexcept = 0;
 
   /// Over a box, in one posture, or where the leg is stretched or folded, with sign 0: a range of values, of
-  /// angles to whole turns. Nothing where the box is too large to tell. Not of an actuated elbow.
+  /// angles to whole turns. Nothing where the box is too large to decide. Not of an actuated elbow.
   std::optional<Interval> joint_value(std::size_t i, int sign, const SlicePlace& at) const noexcept;
 
   /// B_jj over a box where the leg is neither stretched nor folded, of a strut too.
@@ -95,7 +95,7 @@ class HeldSlice {
   /// Whether the joint values are within limits.
   Verdict within_limits(const SlicePosture& posture, const SlicePlace& at) const noexcept;
 
-  /// The sign of B_jj of the leg whose joint is held; 0 where the box is too large to tell.
+  /// The sign of B_jj of the leg whose joint is held; 0 where the box is too large to decide.
   int held_sign(const SlicePlace& at) const noexcept;
 
   /// The working mode of poses of a posture; nothing where a sign is not known.

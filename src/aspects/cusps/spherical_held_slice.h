@@ -84,7 +84,7 @@ class SphericalHeldSlice : public HeldSlice {
 
     Reach reach(const SlicePlace& at) const noexcept;
 
-    /// Nothing where the box is too large to tell.
+    /// Nothing where the box is too large to decide.
     std::optional<Spatial<Interval>> proximal_point(const Reach& reach, int sign,
                                                     const SliceCenter& middle) const noexcept;
 

@@ -130,7 +130,7 @@ constexpr int halvings = 16;
 // Such a box is wider than the tangent of the curve needs by these parts of its length, tried in turn.
 constexpr std::array<double, 3> rooms_across{0.25, 0.5, 1.0};
 
-// Parts of such a box, and of one of its faces, that are looked at.
+// Parts of such a box, and of one of its faces, that are examined.
 constexpr std::size_t most_parts = 1000, most_parts_of_face = 64;
 
 /// What the proofs need of g, D and {D, g_i} over a box.

@@ -14,7 +14,7 @@
 namespace parallel_aspects {
 namespace {
 
-// Of boxes that are larger only what excludes them is looked at; smaller ones are not divided [half turns].
+// Of boxes that are larger only what excludes them is examined; smaller ones are not divided [half turns].
 constexpr double largest_imaged = 0.125, smallest_family_box = 0x1p-11;
 
 using Direction = std::array<double, 3>;
@@ -31,7 +31,7 @@ struct Vanishing {
   IntervalRow gradient;
 };
 
-/// D, along which the other joint values move as `slopes` tell.
+/// D, along which the other joint values move as `slopes` state.
 Vanishing determinant_over(const CuspLegs& legs, const std::array<IntervalRow, 3>& slopes,
                            const SliceTurns& at) {
   using Jets = std::array<Jet<1>, 2>;
@@ -82,7 +82,7 @@ struct SmoothFamily {
   }
 };
 
-/// Ranges of the values, in the order of `SmoothFamily`; nothing where the box is too large to tell.
+/// Ranges of the values, in the order of `SmoothFamily`; nothing where the box is too large to decide.
 using Ranges = std::array<std::optional<Interval>, 3>;
 
 Ranges ranges_over(const PlanarHeldSlice& slices, const SlicePosture& posture, const SlicePlace& at,

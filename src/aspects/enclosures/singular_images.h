@@ -89,7 +89,7 @@ class SingularImages {
   Parts parts(Node node);
 
  protected:
-  /// A kind of singularity, in the order of whoever tells them apart.
+  /// A kind of singularity, in the order of who distinguishes them.
   using Surface = std::uint32_t;
 
   /// `smallest` boxes are not divided [half turns].

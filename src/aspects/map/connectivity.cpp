@@ -17,7 +17,7 @@
 namespace parallel_aspects {
 namespace {
 
-// Of one gate: leaves whose facts are looked at, those in which a crossing is tried while none is proved, and
+// Of one gate: leaves whose facts are examined, those in which a crossing is tried while none is proved, and
 // crossings that are wanted.
 constexpr std::size_t max_looks = 600, max_attempts = 100, wanted = 6;
 

@@ -211,7 +211,7 @@ class Search {
   const MapControl& control_;
   MapPoint weights_;
   ClearPoint best_;
-  std::size_t boxes_ = 0;  // that were looked at
+  std::size_t boxes_ = 0;  // that were examined
   std::priority_queue<Cell> queue_;
 };
 

@@ -119,7 +119,7 @@ class BottleneckSearch {
   }
 
   static constexpr std::uint32_t unreached = std::numeric_limits<std::uint32_t>::max();
-  static constexpr std::uint32_t detour = 1;  // longer chains are looked at in the same round
+  static constexpr std::uint32_t detour = 1;  // longer chains are examined in the same round
 
   IndexCells& cells_;
   const MapPosition from_, to_;

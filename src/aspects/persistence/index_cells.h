@@ -146,7 +146,7 @@ void IndexCells::foresee(NodeIndex node, const Heap& heap, const NodeOf& node_of
   if (nodes.size() > 1) foresee(nodes);
 }
 
-/// A priority queue whose first entries, which come out soon, can be looked at.
+/// A priority queue whose first entries, which come out soon, can be examined.
 template <class Entry>
 struct OpenQueue : std::priority_queue<Entry> {
   const std::vector<Entry>& heap() const noexcept { return this->c; }

@@ -48,7 +48,7 @@ std::vector<double> levels_of_joining(std::size_t node_count, const std::vector<
 /// Of all paths through cells of no known aspect, by the least upper bound of the index along each: these
 /// link the aspects to a graph, in which every path from one to another has an image that is no worse. The
 /// best path of that graph is one in its maximum spanning tree. The tree grows from the smaller aspects, each
-/// by the best link that leaves it (Boruvka), so that the cells of the largest are hardly looked at.
+/// by the best link that leaves it (Boruvka), so that the cells of the largest are hardly examined.
 class AspectLinks {
  public:
   /// Pairs of ids. The cells must know which aspects they belong to, and outlive this.

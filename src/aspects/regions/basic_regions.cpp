@@ -122,7 +122,7 @@ std::optional<SolutionLift::Solutions> SolutionLift::across(const PieceLink& lin
 
 namespace {
 
-// Of the cells between two sets so many are looked at for neighbours.
+// Of the cells between two sets so many are examined for neighbours.
 constexpr std::size_t cells_between_sets = 100;
 
 /// By piece, the index of its set.

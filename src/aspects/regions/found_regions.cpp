@@ -51,7 +51,7 @@ void append(const FoundRegions& more, std::size_t first_set, FoundRegions& resul
 
 namespace {
 
-// Choices of one region of every set that are looked at for one aspect.
+// Choices of one region of every set that are examined for one aspect.
 constexpr std::size_t most_choices = 20000;
 
 using Regions = std::vector<std::size_t>;
@@ -76,7 +76,7 @@ class DomainSearch {
     }
   }
 
-  /// Whether all choices were looked at. Every largest set is connected within some choice of one region of
+  /// Whether all choices were examined. Every largest set is connected within some choice of one region of
   /// every set: its own, and any of the other sets.
   bool look_at(const std::vector<Regions>& alternatives) {
     Regions choice(alternatives.size(), 0);

@@ -84,7 +84,7 @@ enum class SegmentCertifier::Reach {
   assumed  ///< nothing: poses out of reach do not count
 };
 
-/// A segment in one working mode, and what is found of the part of it that was looked at last.
+/// A segment in one working mode, and what is found of the part of it that was examined last.
 class SegmentCertifier::Evaluation {
  public:
   Evaluation(const SegmentCertifier& certifier, const PoseSegment& segment, const WorkingMode& mode,

@@ -30,8 +30,8 @@ struct LeafTotal {
   }
 };
 
-/// What a shard tells of one computed mode and one sign of det A. Its leaves that may hold poses of that set
-/// carry labels: inside leaves that of their component in the shard, undecided ones that of the component
+/// What a shard records of one computed mode and one sign of det A. Its leaves that may hold poses of that
+/// set carry labels: inside leaves that of their component in the shard, undecided ones that of the component
 /// nearest to them. Groups of undecided leaves that touch no component of the shard have labels of their own,
 /// behind those of the components: they are *loose*.
 struct SignRecord {

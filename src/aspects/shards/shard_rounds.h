@@ -83,8 +83,8 @@ class ContestedChoice {
 /// Bytes by part, then by task; nothing for parts that another process keeps.
 using PartResults = std::vector<std::vector<Bytes>>;
 
-/// The parts of a map that this process puts together. What shards tell of them stays packed, and is unpacked
-/// for one part at a time.
+/// The parts of a map that this process puts together. What shards record of them stays packed, and is
+/// unpacked for one part at a time.
 class KeptParts {
  public:
   /// The plan must outlive this.

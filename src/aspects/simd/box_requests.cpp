@@ -54,7 +54,7 @@ std::vector<Examined> examine(const BoxClassifier& classifier, std::size_t mode,
   return examined;
 }
 
-/// A box that is to be looked at in one working mode and sign, and where what is found is to be kept.
+/// A box that is to be examined in one working mode and sign, and where what is found is to be kept.
 struct OpenBox {
   SharedFace at;
   LeafState* state;

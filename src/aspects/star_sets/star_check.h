@@ -101,8 +101,9 @@ class StarCheck {
     return slopes_[level][coordinates_.replaced[other]];
   }
 
-  /// Whether the heights tell the replaced coordinates where the others are fixed. Each row of the matrix of
-  /// slopes may be that of another pose, as the mean value theorem has it, so that intervals are multiplied.
+  /// Whether the heights determine the replaced coordinates where the others are fixed. Each row of the
+  /// matrix of slopes may be that of another pose, as the mean value theorem has it, so that intervals are
+  /// multiplied.
   bool can_solve() {
     Interval determinant;
     if constexpr (Levels == 1) determinant = slope(0, 0).range();
@@ -112,7 +113,7 @@ class StarCheck {
     return determinant.positive() || determinant.negative();
   }
 
-  /// Whether no pose with heights looked at lies on the sides of the box at the ends of replaced coordinates.
+  /// Whether no pose with heights examined lies on the sides of the box at the ends of replaced coordinates.
   bool sides_are_free(const ChartBox<Chart>& at) const {
     for (const std::size_t i : coordinates_.replaced)
       for (const bool upper : {false, true}) {

@@ -14,8 +14,8 @@
 
 namespace parallel_aspects {
 
-/// Coordinates in which a star is looked for: those of the pose, with the heights h = |B_jj| of `Levels` legs
-/// in place of as many of them. Enclosures are affine forms of all pose coordinates and of the heights
+/// Coordinates in which a star is searched for: those of the pose, with the heights h = |B_jj| of `Levels`
+/// legs in place of as many of them. Enclosures are affine forms of all pose coordinates and of the heights
 /// besides.
 template <class Chart, std::size_t Levels>
 class StarCoordinates {
@@ -25,7 +25,7 @@ class StarCoordinates {
 
   std::array<std::size_t, Levels> leg{};           ///< whose heights are taken
   std::array<std::size_t, Levels> replaced{};      ///< the pose coordinate that each height stands for
-  std::array<double, Levels> lowest{}, highest{};  ///< of the heights looked at, which are positive
+  std::array<double, Levels> lowest{}, highest{};  ///< of the heights examined, which are positive
 
   bool is_replaced(std::size_t i) const noexcept {
     for (const std::size_t each : replaced)
@@ -97,7 +97,7 @@ class LevelRelations {
     inverse_ = inverse(slopes);
   }
 
-  /// Whether heights tell the replaced coordinates, in double precision.
+  /// Whether heights determine the replaced coordinates, in double precision.
   bool are_solved() const noexcept {
     for (const auto& row : inverse_)
       for (const double each : row)

@@ -145,7 +145,7 @@ class StarSearch {
 
   double slope(std::size_t level, std::size_t i) const { return squares_[level].slope(i) / half(i); }
 
-  /// A guess at what encloses all poses with heights looked at over a box of the other coordinates.
+  /// A guess at what encloses all poses with heights examined over a box of the other coordinates.
   Box enclosure(Box wide) const {
     if constexpr (Levels > 0) {
       std::array<Interval, Levels> spread;  // of what heights and other coordinates ask of the replaced ones
@@ -183,8 +183,8 @@ class StarSearch {
     return inverse(slopes);
   }
 
-  /// The coordinates that the heights tell best. Ranges of these grow, for which there may be no room at an
-  /// end of the region.
+  /// The coordinates that the heights determine best. Ranges of these grow, for which there may be no room at
+  /// an end of the region.
   bool choose_replaced(bool away_from_ends) {
     double best = 0.0;
     const auto take = [&](double determinant, const std::array<std::size_t, Levels>& choice) {

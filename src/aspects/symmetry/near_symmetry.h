@@ -46,9 +46,9 @@ double snapped(double value, double step);
 Eigen::Vector3d snapped(const Eigen::Vector3d& vector, double step);
 
 /// The symmetric legs that are nearest to `legs`: their average over the group of all motions, of those that
-/// `find_robot_symmetries` looks for, that take each number of the legs to one that is no farther away than
-/// `tolerance`, in sizes of the robot [m] and rad. With no motions, and the legs as they are, where there is
-/// none but the identity, or where those that there are make no group.
+/// `find_robot_symmetries` searches for, that take each number of the legs to one that is no farther away
+/// than `tolerance`, in sizes of the robot [m] and rad. With no motions, and the legs as they are, where
+/// there is none but the identity, or where those that there are make no group.
 SymmetricLegs nearest_symmetric_legs(TaskSpace space, const std::vector<Leg>& legs, double size,
                                      double tolerance);
 

@@ -30,7 +30,7 @@
 namespace parallel_aspects {
 namespace {
 
-// Of all values of a mode: what may be unknown, and which sets are looked into.
+// Of all values of a mode: what may be unknown, and which sets are examined.
 constexpr double unknown_share_of_mode = 5e-3, least_set_of_mode = 1e-4;
 
 // So many values of what is unknown are solved, for estimates.

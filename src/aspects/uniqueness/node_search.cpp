@@ -17,10 +17,10 @@ namespace {
 // Boxes that are larger are not worth Krawczyk's test, and those about both of two [half turns].
 constexpr double largest_tested = 0.02, largest_hull = 0.25;
 
-// Pairs of boxes that are looked at in all. A slice takes some ten thousand.
+// Pairs of boxes that are examined in all. A slice takes some ten thousand.
 constexpr std::size_t largest_effort = 2000000;
 
-// So many of them are looked at depth first. What is left of these then waits until all larger ones had a
+// So many of them are examined depth first. What is left of these then waits until all larger ones had a
 // turn: else one place where images come close to each other would use up the effort, and nodes elsewhere
 // would not be found.
 constexpr std::size_t largest_turn = 1024;
@@ -138,7 +138,7 @@ class NodeSearch {
     BoxPair enclosure;  // of it
   };
 
-  /// How many pairs were looked at, at most so many; with 0 they are undecided.
+  /// How many pairs were examined, at most so many; with 0 they are undecided.
   std::size_t take_turn(std::size_t most, std::vector<BoxPair>& undecided) {
     std::size_t looked_at = 0;
     for (; !pairs_.empty() && (most == 0 || looked_at < most); ++looked_at) {

@@ -51,7 +51,7 @@ class PathInRegions {
  public:
   using Locate = std::function<std::optional<std::size_t>(const Pose&)>;
 
-  /// What it is given must outlive it. `locate` tells the region of a pose.
+  /// What it is given must outlive it. `locate` returns the region of a pose.
   PathInRegions(const ActuatedSpace& space, const Locate& locate) noexcept : space_(space), locate_(locate) {}
 
   /// The next segment; false where that is not proved. Needs a live `RoundingUpward`.

@@ -20,7 +20,7 @@ namespace parallel_aspects {
 // Sums of many measures are off by less.
 inline constexpr double rounded_up = 1.0 + 1e-9, rounded_down = 1.0 - 1e-9;
 
-/// The aspect that holds a pose; 0 where the map can not tell, or not from others.
+/// The aspect that holds a pose; 0 where the map cannot decide, or not from others.
 int aspect_at(const AspectMap& map, const Pose& pose, const WorkingMode& mode);
 
 /// Adds a component to the list, and to the region of its number of solutions.
@@ -51,7 +51,7 @@ struct SliceOfValues {
 /// Sees all strips that the images of singular poses lie in.
 using SeeStrip = std::function<void(const ValueStrip&)>;
 
-/// The map, of this slice, tells the aspects of solutions; without one none are known. Needs a live
+/// The map, of this slice, has the aspects of solutions; without one none are known. Needs a live
 /// `RoundingUpward`.
 SolutionNumbers find_solution_numbers(const Manipulator& manipulator,
                                       std::shared_ptr<const SliceOfValues> values,

@@ -27,7 +27,7 @@
 namespace parallel_aspects {
 namespace {
 
-/// How far lengths are divided, and which sets are looked into, as shares of all lengths.
+/// How far lengths are divided, and which sets are examined, as shares of all lengths.
 struct Division {
   double unknown_share, least_set_share;
   std::size_t most_cells;

@@ -117,7 +117,7 @@ double ShapeGauge::room_at_least(const MapPoint& center, const Box& box) const n
 
 namespace {
 
-// Leaves that are looked at for one center. Where it takes more, much around it stays open.
+// Leaves that are examined for one center. Where it takes more, much around it stays open.
 constexpr std::size_t most_looks = 5000;
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace parallel_aspects {
 /// changes by no more than the center moves.
 ///
 /// Coordinates are multiplied by scales; those of one group count by their Euclidean norm, and the largest
-/// group counts. Other coordinates of boxes than the first `dimension()` are not looked at.
+/// group counts. Other coordinates of boxes than the first `dimension()` are not examined.
 class ShapeGauge {
  public:
   /// `turns`: whether coordinates are angles in half turns, which begin anew after a whole one.
@@ -88,10 +88,10 @@ class UsableLeaves {
                const AngleBounds& angles);
 
   /// The room about a center. Open leaves are divided down to this extent [in the gauge]. Where `upper` falls
-  /// to `enough`, nothing more is asked, nor where many leaves are looked at in vain.
+  /// to `enough`, nothing more is asked, nor where many leaves are examined in vain.
   ShapeRoom room(const MapPoint& center, double extent, double enough);
 
-  /// How many leaves were looked at for that, so far.
+  /// How many leaves were examined for that, so far.
   std::size_t looks() const noexcept { return looks_; }
 
   /// Whether all of the shape of this size is usable, with the leaves as they are.

@@ -13,7 +13,7 @@
 namespace parallel_aspects {
 namespace {
 
-// Open leaves are divided down to this share of the gap, and of the extent of the centers that are looked at.
+// Open leaves are divided down to this share of the gap, and of the extent of the centers that are examined.
 constexpr double share_of_gap = 0.25, share_of_extent = 0.5;
 
 // Centers closer to each other than this share of the gap are not distinguished.
@@ -22,7 +22,7 @@ constexpr double least_extent = 0.02;
 // Centers closer to each other than this share of what is unknown of the room about them are not, either.
 constexpr double share_of_unknown = 0.25;
 
-// Where no shape is found, those below this share of all positions are not looked for.
+// Where no shape is found, those below this share of all positions are not searched for.
 constexpr double least_share = 0x1p-10;
 
 // Leaves are not divided below this share of all positions.

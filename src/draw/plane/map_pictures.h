@@ -96,7 +96,7 @@ struct BoundarySegment {
   std::size_t leg = 0;                         ///< whose B_jj or limit it is; unused for others
   Eigen::Vector2d from;                        ///< first end, in the slice [m or rad]
   Eigen::Vector2d to;                          ///< other end, in the slice [m or rad]
-  std::array<int, 2> aspects{};  ///< ids on its left and right side; 0 for none, or too close to tell
+  std::array<int, 2> aspects{};  ///< ids on its left and right side; 0 for none, or too close to decide
 };
 
 /// A piece of one aspect, for drawing: its curved sides are straightened, while a point in it was located in

@@ -127,7 +127,7 @@ const BoundaryStyle& style_of(BoundaryKind kind) {
   return *found;
 }
 
-// Three colours that people with any colour vision tell apart (after Paul Tol's "high contrast" scheme).
+// Three colours that people with any colour vision can distinguish (after Paul Tol's "high contrast" scheme).
 Rgb index_color(double index) { return color_along({0xBB5566, 0xDDAA33, 0x004488}, index); }
 
 // After Paul Tol's colour schemes for people with any colour vision.

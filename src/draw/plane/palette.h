@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-/// The colours of every picture of this package, which people with any colour vision tell apart.
+/// The colours of every picture of this package, which people with any colour vision can distinguish.
 namespace parallel_aspects {
 
 /// 0xRRGGBB.

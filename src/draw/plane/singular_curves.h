@@ -24,7 +24,7 @@ namespace parallel_aspects {
 struct SingularPiece {
   BoundaryKind kind = BoundaryKind::parallel;  ///< parallel or serial
   std::size_t leg = 0;                         ///< whose B_jj vanishes; unused for others
-  WorkingMode mode;  ///< of its middle; where it is serial, the sign of that leg tells nothing
+  WorkingMode mode;  ///< of its middle; where it is serial, the sign of that leg says nothing
   std::array<Eigen::Vector2d, 2> poses;     ///< its ends, in the slice [rad]; the second may be beyond pi
   std::array<Eigen::Vector2d, 2> actuated;  ///< both joint values that move, likewise [m or rad]
 

@@ -20,7 +20,7 @@ using Eigen::Vector3f;
 
 constexpr double in_front = 0.002;        // of the robot's size: lines before the faces that they bound
 constexpr std::size_t name_letters = 2;   // of a candidate, which are larger than others
-constexpr std::size_t most_places = 500;  // that are looked at for a label
+constexpr std::size_t most_places = 500;  // that are examined for a label
 constexpr int most_beside = 5;            // labels one over the other on each side of the platform
 
 Vector3d scale_of(TaskSpace space, double radian) {

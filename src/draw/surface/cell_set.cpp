@@ -12,7 +12,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::uint32_t finest_level = 13;  // so that corners have keys
-constexpr std::size_t most_room = 4000000;  // of cells that a small aspect is looked for in
+constexpr std::size_t most_room = 4000000;  // of cells that a small aspect is searched for in
 constexpr std::uint8_t is_cell = 1;
 
 // In the cubes of SO3 the last root has the quaternion's w as its largest component; in the others w is the

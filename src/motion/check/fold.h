@@ -71,8 +71,8 @@ class FoldProof {
   /// The path and the certifier must outlive it. Needs a live `RoundingUpward`, as all of it does.
   FoldProof(const Manipulator& manipulator, const PoseCertifier& poses, const JointPath& path) noexcept;
 
-  /// `latest` of the theorem, which is looked for up to `until`; nothing where it is not proved. The platform
-  /// was followed from `earliest` to `share`, where it is within `off` of `at`, in the metric of
+  /// `latest` of the theorem, which is searched for up to `until`; nothing where it is not proved. The
+  /// platform was followed from `earliest` to `share`, where it is within `off` of `at`, in the metric of
   /// `PoseCertifier::distance`.
   std::optional<double> latest(const CertifiedPoint& at, double off, double earliest, double share,
                                double until) noexcept;

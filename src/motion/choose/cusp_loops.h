@@ -25,7 +25,7 @@ double room_at(const Manipulator& manipulator, const Pose& pose, const JointVect
 std::array<Eigen::Index, 2> free_legs(std::size_t held);
 
 /// Ways in one aspect of a slice that holds an actuated joint, from one pose, whose actuated values go around
-/// a cusp. They are looked for on a grid in direction and phi with that pose on it: first the largest least
+/// a cusp. They are searched for on a grid in direction and phi with that pose on it: first the largest least
 /// room that a way has, then a short one with that much.
 class CuspLoops {
  public:

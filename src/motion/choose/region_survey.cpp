@@ -16,7 +16,7 @@ namespace {
 constexpr int deepest_level = 90;  // halvings of one box; 30 in each of three coordinates
 
 constexpr double index_gap = 0.1;           // between the bounds of the least index, of the upper one
-constexpr std::size_t index_boxes = 20000;  // that are looked at for it
+constexpr std::size_t index_boxes = 20000;  // that are examined for it
 constexpr double index_share = 0.3;         // see BoxClassifier::enclose_index
 
 /// An angle in half turns, as a lower or an upper bound: two roundings of half a unit in the last place.

@@ -222,7 +222,7 @@ class ClearRegionIn final : public ClearRegion {
   // Where the value, which encloses a function that vanishes at the hazard, is positive.
   static void add(const Form& value, double radius, ClearHalfSpace half_space,
                   ClearHalfSpaces& found) noexcept {
-    if (found.count == ClearHalfSpaces::most) {  // what is not looked at is not clear
+    if (found.count == ClearHalfSpaces::most) {  // what is not examined is not clear
       found.list[found.count - 1].clearance = -unbounded;
       return;
     }

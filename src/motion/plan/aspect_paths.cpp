@@ -70,7 +70,7 @@ std::vector<Pose> AspectPaths::find_wide(const Aspect& aspect, const Pose& from,
   return path;
 }
 
-/// From one part to another the way is looked for once: what is found leads on from all poses of the one to
+/// From one part to another the way is searched for once: what is found leads on from all poses of the one to
 /// all of the other, since inside leaves connect each of them with its part.
 std::vector<Pose> AspectPaths::find_between_parts(const Aspect& aspect, const Pose& from, const Pose& to) {
   const std::optional<Parts> key = parts(aspect, from, to);
@@ -128,7 +128,7 @@ const LeafPassages* AspectPaths::climbs(const Aspect& aspect) {
   return &known->second;
 }
 
-/// Those near the pose to which a segment is proved: to look for paths to others is in vain.
+/// Those near the pose to which a segment is proved: to search for paths to others is in vain.
 std::vector<NodeIndex> AspectPaths::proved_leaves(const Aspect& aspect, const Pose& pose) const {
   std::vector<NodeIndex> result;
   for (const NodeIndex leaf : leaves_near(map_->contents(), aspect, pose))

@@ -70,12 +70,12 @@ class AspectPaths {
 
   std::shared_ptr<const AspectMap> map_;
   MapSegments segments_;
-  MapControl control_;  // what is cancelled is not kept as looked for in vain
+  MapControl control_;  // what is cancelled is not kept as searched for in vain
   std::deque<WidePath> wide_paths_;
   std::map<std::size_t, LeafIndices> indices_;        // by index of the mode in the map
   std::map<std::size_t, FaceComponents> components_;  // by index of the mode in the map
   std::map<int, LeafPassages> climbs_;                // by aspect, where they were needed
-  std::map<Parts, std::vector<Pose>> links_;  // from one to the other, once looked for; empty where in vain
+  std::map<Parts, std::vector<Pose>> links_;  // from one to the other, once searched for; empty where in vain
   std::map<std::size_t, std::shared_ptr<const PoseRoadmap>> roadmaps_;  // by index of the working mode
 };
 

@@ -12,7 +12,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int steps_of_a_segment = 32;  // at which the actuated joints are looked at
+constexpr int steps_of_a_segment = 32;  // at which the actuated joints are examined
 
 }  // namespace
 

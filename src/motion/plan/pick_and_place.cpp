@@ -102,7 +102,7 @@ bool append_joint_corners(const PathPlanner& planner, const Manipulator& manipul
 
 namespace {
 
-constexpr std::size_t max_leaves = 20000;  // looked at in one aspect
+constexpr std::size_t max_leaves = 20000;  // examined in one aspect
 
 PickAndPlace none(std::string reason) {
   PickAndPlace result;

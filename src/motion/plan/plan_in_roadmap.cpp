@@ -17,7 +17,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_mode_pairs = 8;               // between which gates are looked for
+constexpr std::size_t most_mode_pairs = 8;               // between which gates are searched for
 constexpr std::array<std::size_t, 2> gates_tried{1, 4};  // of each leg that changes its posture
 constexpr std::size_t most_thorough_modes = 4;
 

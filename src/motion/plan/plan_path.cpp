@@ -253,7 +253,7 @@ class PathPlanner::Search {
   AspectPaths& paths_;
   const PathWish& wish_;
   const MapControl& control_;
-  PathShape shape_;  // that is looked for now
+  PathShape shape_;  // that is searched for now
 };
 
 PathPlanner::PathPlanner(std::shared_ptr<const AspectMap> map)

@@ -69,7 +69,7 @@ class RoadmapGates {
 
   /// Where a leg stops reaching: a pose before, and one beyond.
   struct Candidate {
-    double length = 0.0;  // of the way over it, where paths are looked for
+    double length = 0.0;  // of the way over it, where paths are searched for
     std::size_t leg = 0;
     Pose outer, beyond;
   };

@@ -17,7 +17,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t max_looks = 500;  // leaves of a meeting that are looked at
+constexpr std::size_t max_looks = 500;  // leaves of a meeting that are examined
 constexpr double least_sine = 1e-9;     // for a quotient
 
 /// The two legs whose rows of A point most nearly the same way or opposite ways.

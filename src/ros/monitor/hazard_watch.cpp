@@ -14,7 +14,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double speed_window = 0.2;  // over which approach is looked at [s]
+constexpr double speed_window = 0.2;  // over which approach is examined [s]
 
 }  // namespace
 

@@ -85,7 +85,7 @@ class DomainReport {
   KnownDomains known_;
   std::optional<DomainWatch> watch_;
   std::uint64_t start_ = 0;  // its number; 0 for none
-  double time_ = 0.0;        // of the last sample looked at
+  double time_ = 0.0;        // of the last sample examined
   UniquenessState state_;
   std::optional<AspectTransition> transition_;
 };

@@ -85,8 +85,8 @@ class RobotMonitor {
   /// no sample came.
   std::optional<AspectState> expire(const ros::Time& now, const ros::SteadyTime& wall);
 
-  /// Measures distances at the last sample, or looks for the assembly mode; to be called again and again from
-  /// one thread. The assembly modes that remain, where their number has changed.
+  /// Measures distances at the last sample, or searches for the assembly mode; to be called again and again
+  /// from one thread. The assembly modes that remain, where their number has changed.
   std::optional<AssemblyCandidates> work();
 
   /// What `work` does where the robot is not followed, in parts: a search to run, while samples come, or

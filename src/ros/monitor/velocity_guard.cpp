@@ -16,7 +16,7 @@ namespace {
 // frame leaves.
 constexpr double rounding = 1e-6;
 
-// The node looks for old commands that often within their timeout.
+// The node searches for old commands that often within their timeout.
 constexpr double looks = 4.0;
 
 static_assert(static_cast<std::uint8_t>(GuardReason::none) + 1 == GuardState::NONE);

@@ -16,7 +16,7 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr double largest_base = 2.0;  // that is looked at, over the size of the box
+constexpr double largest_base = 2.0;  // that is examined, over the size of the box
 constexpr double links = 0.06;        // how far links stick out from their joints, of the size of the box
 
 // The circle of a crank.
@@ -74,7 +74,7 @@ AlignedBox3d outer_reach_box(const Manipulator& robot) {
   return reach;
 }
 
-// In one of the orientations that are looked at.
+// In one of the orientations that are examined.
 bool is_reached(const Manipulator& robot, const Vector3d& position, const Eigen::Quaterniond& orientation) {
   constexpr int angles = 16;
   const int turns = robot.task_space() == TaskSpace::SE2 ? angles : 1;

@@ -39,7 +39,7 @@ struct ReceivedMap {
   std::string revision;
   std::size_t bytes = 0;  ///< of the map; 0 for one that was computed here
 
-  /// Id of the aspect that holds a pose; 0 where none does, or the map cannot tell. In a map that was
+  /// Id of the aspect that holds a pose; 0 where none does, or the map cannot decide. In a map that was
   /// computed here, of its position at the orientation of the map.
   int locate(Pose pose, const WorkingMode& mode) const;
 };

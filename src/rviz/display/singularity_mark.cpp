@@ -12,7 +12,7 @@ namespace {
 
 constexpr double way_width = 0.008, end_size = 0.03;  // of the picture's size
 constexpr std::chrono::milliseconds between_measurements(100);
-constexpr double step = 1e-3;  // of the robot's size, that it moves until it is looked at anew
+constexpr double step = 1e-3;  // of the robot's size, that it moves until it is examined anew
 
 }  // namespace
 

@@ -11,7 +11,7 @@
 
 namespace parallel_aspects {
 
-/// Colours that people with any colour vision tell apart (after Paul Tol's "high contrast" scheme).
+/// Colours that people with any colour vision can distinguish (after Paul Tol's "high contrast" scheme).
 inline QColor color_of(SafetyLevel safety) {
   switch (safety) {
     case SafetyLevel::clear:

@@ -26,7 +26,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds patience(5000);
-constexpr milliseconds between_masters(300);  // looks for a master
+constexpr milliseconds between_masters(300);  // searches for a master
 constexpr std::size_t kept_transitions = 200;
 
 const char* const compute_goal = "compute_map/goal";

@@ -43,7 +43,7 @@ class PanelLink {
   void cancel_map();
   void plan_path(const PlanPathGoal& goal);
   void cancel_plan();
-  void show(const std::set<std::uint32_t>& aspects);  ///< tells the display which aspects to draw
+  void show(const std::set<std::uint32_t>& aspects);  ///< says to the display which aspects to draw
   void move_probe(const geometry_msgs::Pose& pose, const std::vector<std::int8_t>& working_mode);
   void publish_once(const trajectory_msgs::JointTrajectory& trajectory, const std::string& topic);
 

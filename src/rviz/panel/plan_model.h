@@ -60,7 +60,7 @@ std::optional<PlanEnd> end_in_aspect(const NodeView& view, std::uint32_t aspect)
 
 Permission may_plan(const NodeView& view, const PlanChoice& choice, const PlanView& plan);
 
-/// `topic`: as it was typed. `names` are looked at as ROS does.
+/// `topic`: as it was typed. `names` are examined as ROS does.
 Permission may_publish(const PlanView& plan, const std::string& topic);
 
 /// The text about a result.

@@ -31,7 +31,7 @@ constexpr double side_of_planes = 430.0;  // [px]
 // Of the grid of numbers, about a point of the panel each, and of that of the curves.
 constexpr int cells_of_numbers = 360, cells_of_curves = 240;
 
-// A cell is looked at in its middle, and where nothing is proved there in so many points a side.
+// A cell is examined in its middle, and where nothing is proved there in so many points a side.
 constexpr int points_of_cell = 3;
 
 constexpr Rgb no_color = 0xFFFFFF;

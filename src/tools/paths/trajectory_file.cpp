@@ -198,7 +198,7 @@ std::vector<std::vector<double>> read_columns(const std::string& file, const Tab
 }
 
 /// From one waypoint to the next the platform turns the short way, so that a longer turn is not what would be
-/// looked at. Quaternions have no such ambiguity.
+/// examined. Quaternions have no such ambiguity.
 void require_short_turns(TaskSpace space, const std::string& file,
                          const std::vector<std::vector<double>>& rows, Problems& problems) {
   constexpr double half_turn = EIGEN_PI;

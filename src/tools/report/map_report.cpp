@@ -128,7 +128,7 @@ std::string symmetry_text(const AspectMap& map) {
          counted(map.symmetry_use()->computed_modes, "working mode") + " computed\n";
 }
 
-/// How many there are aspects of, and where not all were looked at, how many the robot has.
+/// How many there are aspects of, and where not all were examined, how many the robot has.
 std::string mode_count(const AspectMap& map) {
   const std::size_t found = map.working_modes().size(), all = working_modes(*map.manipulator()).size();
   return map.contents().modes.size() < all ? std::to_string(found) + " of " + counted(all, "working mode")

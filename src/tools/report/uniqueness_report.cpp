@@ -65,7 +65,7 @@ std::vector<std::string> cusp_titles(const Manipulator& robot, bool parts) {
   return titles;
 }
 
-/// As in the list of components; `?` where the map can not tell.
+/// As in the list of components; `?` where the map cannot decide.
 std::string shown_aspect(int aspect) { return aspect == 0 ? "?" : std::to_string(aspect); }
 
 /// With the parts of the slice that they belong to, where there are some.
@@ -150,7 +150,7 @@ std::string regions_text(const Manipulator& robot, const SolutionNumbers& unique
          (uniqueness.regions.empty() ? "" : table.text()) + turns_text(robot);
 }
 
-/// The number of direct solutions in each aspect, by its id; `?` where the map cannot tell.
+/// The number of direct solutions in each aspect, by its id; `?` where the map cannot decide.
 std::string solutions_by_aspect(const BasicComponent& component) {
   std::map<int, std::size_t> counts;
   for (const int aspect : component.aspects) ++counts[aspect];

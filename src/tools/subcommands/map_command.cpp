@@ -136,7 +136,7 @@ double smallest_boxes(const AspectMap& map) {
   return count;
 }
 
-// By the region alone: how many leaves a map has within limits, or what time it took, tells little of that
+// By the region alone: how many leaves a map has within limits, or what time it took, says little of that
 // without them.
 bool is_cheap(const AspectMap& map) {
   const bool six_legs = map.manipulator()->leg_count() == max_legs;

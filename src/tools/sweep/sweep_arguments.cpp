@@ -45,7 +45,7 @@ class Reading {
     return shard;
   }
 
-  /// What the columns report; the shape is not yet looked at.
+  /// What the columns report; the shape is not yet examined.
   DesignQuestion figures() {
     DesignQuestion question;
     if (arguments_.figures.empty()) return question;

@@ -25,7 +25,7 @@ namespace parallel_aspects {
 using Attempt =
     std::function<std::optional<std::string>(const std::shared_ptr<const Tree>&, const ResolvedConfig&)>;
 
-/// A description whose edits are looked for, and what these ask of it.
+/// A description whose edits are searched for, and what these ask of it.
 struct Subject {
   Subject(std::shared_ptr<const Tree> tree, const ResolvedConfig& resolved, const SourceNames& files);
 

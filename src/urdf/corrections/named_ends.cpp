@@ -36,7 +36,7 @@ class NamedEnds {
 
   const std::vector<HeldLeg>& legs() const { return legs_; }
 
-  // Of each leg, the one that has its anchor by the names that tell first; nothing where none do.
+  // Of each leg, the one that has its anchor by the names that decide first; nothing where none do.
   std::vector<std::size_t> pairing() const {
     if (legs_.size() < 2) return {};
     for (const Names& tips : tip_names())

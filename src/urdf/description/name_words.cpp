@@ -137,7 +137,7 @@ std::set<std::string> telling_words(const Tree& tree, std::size_t link,
   return telling;
 }
 
-// Where there is but one link, all its words may tell.
+// Where there is but one link, all its words may decide.
 std::set<std::string> common_words(const Tree& tree, const std::vector<std::size_t>& links) {
   std::map<std::string, std::size_t> counts;
   for (const std::size_t link : links) {

@@ -36,7 +36,7 @@ int operational_point_likeness(const std::string& name);
 /// Whether they say that it is the base.
 bool says_base(const std::string& name);
 
-/// Words that tell the ends apart: an index weighs more than any other word, and so does a word that counts
+/// Words that distinguish the ends: an index weighs more than any other word, and so does a word that counts
 /// links of one form, as that of platform_alpha and platform_bravo, on both sides. What all have does not
 /// tell, nor does an index that all names of one form have, as the 3 of ball_1_3 and ball_2_3.
 class EndLikeness {

@@ -11,7 +11,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr int starts = 8;  // from which loops are to close: few, as most of what is tried does not
-constexpr std::size_t max_closed = 3;  // configurations whose mobility is looked at: one may be singular
+constexpr std::size_t max_closed = 3;  // configurations whose mobility is examined: one may be singular
 constexpr std::size_t max_named = 8;   // edits that a message lists: a longer list is not read
 // What bounds a refusal: sorting an edit out takes up to a millisecond, recognising a hexapod some thirty.
 constexpr std::size_t max_tried = 1500, max_attempts = 36;
@@ -79,7 +79,7 @@ bool EditSearch::closes_and_moves(const Edited& after) const {
           closes_and_moves(after, ClosureType::revolute));
 }
 
-// Where it is open which joints are actuated, mobility tells nothing.
+// Where it is open which joints are actuated, mobility says nothing.
 bool EditSearch::closes_and_moves(const Edited& after, ClosureType type_of_open_ones) const {
   const ResolvedConfig& config = after.resolved;
   const bool is_listed = config.actuation_origin.empty();

@@ -56,7 +56,7 @@ fs::path own_folder() {
   return error ? fs::path() : whole.parent_path();
 }
 
-// Beside that, or in the library folder next to it; else where the system looks for libraries.
+// Beside that, or in the library folder next to it; else where the system searches for libraries.
 std::vector<std::string> places_of(const std::string& library) {
   std::vector<std::string> places;
   std::error_code error;

@@ -283,7 +283,7 @@ class Inspector {
     const auto axis = check_vector(joint->FirstChildElement("axis"), "xyz", owner);
     const bool zero = axis && length(*axis) < 1e-9;
     if (type == "fixed") {
-      // urdfdom looks at the limits of a joint that has none to keep, too.
+      // urdfdom examines the limits of a joint that has none to keep, too.
       if (auto* limit = joint->FirstChildElement("limit")) joint->DeleteChild(limit);
       if (zero) remarks_.emplace(Remark::zero_axis, name);
       return;

@@ -134,7 +134,7 @@ class ChainRecogniser {
     return (one - other).norm() < direction_tolerance * setting_.size;
   }
 
-  // The point that all pivots of a group turn about, as far as the task space can tell. Rods that change
+  // The point that all pivots of a group turn about, as far as the task space can show. Rods that change
   // their length need their true ends.
   std::optional<Vector3d> tip(const Chain& group, bool rod_is_rigid) const {
     if (group.empty()) return std::nullopt;

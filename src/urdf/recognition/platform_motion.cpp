@@ -223,7 +223,7 @@ class MotionFinder {
   MatrixXd angular() const { return twists_.topRows(3); }
   MatrixXd linear() const { return twists_.bottomRows(3); }
 
-  // The leg is in a plane through the line, whose normal its joints tell.
+  // The leg is in a plane through the line, whose normal its joints determine.
   bool line() {
     const Vector3d along = oriented(singular_value_decomposition(linear()).u.col(0));
     const Vector3d normal = normal_of_joints(along);

@@ -23,8 +23,8 @@ constexpr std::size_t max_robots = 6;  // that a question lists: the legs of a w
 // actuated joints at the base and of others.
 constexpr std::size_t max_with_all_types = 2;
 
-// For so many platforms, and numbers of legs, a refusal looks for what would correct it, since each may take
-// all attempts of an edit search.
+// For so many platforms, and numbers of legs, a refusal searches for what would correct it, since each may
+// take all attempts of an edit search.
 constexpr std::size_t max_diagnosed = 4;
 
 // Loops are closed from so many configurations until enough are found to know their freedom: the most of a

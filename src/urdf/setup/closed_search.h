@@ -15,7 +15,7 @@
 
 namespace parallel_aspects {
 
-/// The URDF that is looked at.
+/// The URDF that is examined.
 struct SetupSubject {
   const Tree& tree;                              ///< with places of answers as links
   const std::shared_ptr<const Tree>& tree_read;  ///< without

@@ -58,7 +58,7 @@ class EndFinder {
     return found;
   }
 
-  // By what positions and names tell.
+  // By what positions and names show.
   std::vector<EqualPairings> evident() {
     if (!begin()) return {};
     for (const Body& hub : hubs_first()) {
@@ -120,7 +120,7 @@ class EndFinder {
                          [&](std::size_t other) { return are_one_frame(link, other); });
   }
 
-  // The joints of a wrist all are in its centre, where only their axes tell them apart; for planar robots it
+  // The joints of a wrist all are in its centre, where only their axes distinguish them; for planar robots it
   // does not matter in which layer a frame is.
   bool are_one_frame(std::size_t one, std::size_t other) const {
     Eigen::Vector3d between = poses_[one].translation() - poses_[other].translation();

@@ -41,7 +41,7 @@ struct SetupChoice {
   std::vector<SetupCandidate> others;
 };
 
-/// What the URDF does not tell, and candidates with equal evidence; there may be none.
+/// What the URDF does not state, and candidates with equal evidence; there may be none.
 struct SetupQuestion {
   std::string key;
   std::string text;  ///< one sentence
@@ -49,7 +49,7 @@ struct SetupQuestion {
   std::vector<std::string> example;  ///< where there are none: what an answer looks like
 };
 
-/// When to give up, and what for. All are looked at before each attempt to assemble the mechanism. Work is
+/// When to give up, and what for. All are examined before each attempt to assemble the mechanism. Work is
 /// counted and not timed, so that no answer depends on the machine or on what else it does.
 struct SetupControl {
   std::size_t work = 0;  ///< attempts, each times the square of the number of joints in the loops, as counted

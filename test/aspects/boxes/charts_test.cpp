@@ -15,7 +15,7 @@ namespace {
 
 class ReachablePositions : public testing::TestWithParam<test::SpaceAndActuation> {};
 
-// Maps look for poses nowhere else. Rails of random robots point every way.
+// Maps search for poses nowhere else. Rails of random robots point every way.
 TEST_P(ReachablePositions, HoldEveryPoseThatAllLegsReach) {
   const auto& [space, kind] = GetParam();
   test::RandomRobots random(20261128);

@@ -105,8 +105,8 @@ INSTANTIATE_TEST_SUITE_P(TaskSpaces, RoundTrip,
                                          Case{"T3", test::delta, 0.2}, Case{"SO3", test::agile_eye, 0.4}),
                          [](const auto& each) { return each.param.name; });
 
-// A map in which small aspects were looked for serves whoever does not ask for that, and no other the one who
-// does.
+// A map in which small aspects were searched for serves whoever does not ask for that, and no other the one
+// who does.
 TEST_F(MapFile, CompleteMapsAreTold) {
   const RobotPtr robot = test::shipped("linear_delta")->mapped_manipulator();
   MapOptions plain = coarse(0.05);

@@ -39,7 +39,7 @@ class Floods {
     return aspects_;
   }
 
-  /// Straight edges of the grid are looked at in so many places.
+  /// Straight edges of the grid are examined in so many places.
   int places = 2;
 
  private:

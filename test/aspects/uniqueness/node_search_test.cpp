@@ -29,12 +29,12 @@ MapSlice slice_of_first_strut(const Robot& robot, double held) {
 
 std::shared_ptr<const Uniqueness> uniqueness_of_slice(const Robot& robot, double held) {
   UniquenessOptions options;
-  options.most_cells = 400;  // numbers of solutions are not looked at here
+  options.most_cells = 400;  // numbers of solutions are not examined here
   return test::uniqueness_of_slice(robot, 0, held, options);
 }
 
 /// The image of det A = 0 in doubles: a segment in each triangle of a grid of the slice whose corners have
-/// both signs, with ends that bisection finds on its edges. The triangles of a block are looked at where the
+/// both signs, with ends that bisection finds on its edges. The triangles of a block are examined where the
 /// corners of the blocks about it have both signs.
 class ImageCurve {
  public:

@@ -275,7 +275,7 @@ TEST(SurfacePicture, TheGalleryHasEachWorkingModeOnceAndNoTwoTilesMeet) {
       EXPECT_EQ(box.intersects(beside), mode == other) << mode << " " << other;
 }
 
-// To the right and up, as whoever looks at rviz sees it.
+// To the right and up, as whoever examines rviz sees it.
 Eigen::Vector2d seen(const Eigen::Vector3d& way, bool planar) {
   return planar ? Eigen::Vector2d(way.head<2>())
                 : Eigen::Vector2d(way.x(), way.z() * std::cos(view_pitch) + way.y() * std::sin(view_pitch));

@@ -146,7 +146,7 @@ TEST(PathOfTheFiveBar, IsChangedWhereTheWayToTheFoldedLegIsShortest) {
   EXPECT_NEAR(change.time, where, 0.05);
 }
 
-// As many poses as a controller records: what is looked at does not grow with them.
+// As many poses as a controller records: what is examined does not grow with them.
 TEST(PathOfManyPoses, IsChosenAsThatOfFew) {
   const auto robot = test::shipped("five_bar")->manipulator();
   const SegmentCertifier certifier(robot);

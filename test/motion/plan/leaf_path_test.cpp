@@ -105,7 +105,7 @@ TEST_F(SearchByPassages, EndsWhenItIsCancelled) {
   EXPECT_TRUE(climbs_between_parts(contents_, *aspect_, *components_, choice_.control).empty());
 }
 
-// What was cancelled was not looked for in vain.
+// What was cancelled was not searched for in vain.
 TEST_F(CorridorOfCorners, HasAPathAfterASearchThatWasCancelled) {
   PathPlanner planner(map_);
   std::atomic<bool> cancelled{true};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The assembly mode is looked for on a copy of the tracker, while samples come and others ask.
+// The assembly mode is searched for on a copy of the tracker, while samples come and others ask.
 #include "ros/monitor/robot_monitor_fixture.h"
 
 #include <gtest/gtest.h>

@@ -88,7 +88,7 @@ TEST_F(MapWorkerTest, ANewJobTakesThePlaceOfARunningOne) {
   EXPECT_EQ(worker_.wait(second, deadline).state, MapProgress::COMPLETE);
 }
 
-// With three degrees of freedom small aspects are looked for where that is asked for.
+// With three degrees of freedom small aspects are searched for where that is asked for.
 TEST(MapWorkerOfThreeFreedoms, TellsTheExactNumberOfAspects) {
   ros::Time::init();
   MapWorker worker(test::shipped("linear_delta")->mapped_manipulator(), "", [](const auto&, const auto&) {});

@@ -59,7 +59,7 @@ class UniquenessStateTest : public testing::Test {
 
   ros::Time now() const { return ros::Time(100.0 + 0.001 * step_); }
 
-  /// The next sample, looked at as well.
+  /// The next sample, examined as well.
   AspectState play(const JointVector& q) {
     ++step_;
     const MonitorUpdate update = monitor_.update(test::joint_states_of(*robot_, q, now()), now());

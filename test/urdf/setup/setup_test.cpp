@@ -247,7 +247,7 @@ TEST(Setup, NotesAWristThatIsInALoop) {
   EXPECT_EQ(set_up_text(five_bar).notes, Strings{});
 }
 
-// Of the body of the platform, a link whose name tells nothing may be meant too.
+// Of the body of the platform, a link whose name says nothing may be meant too.
 TEST(Setup, ListsOtherOperationalPoints) {
   const std::string pin = R"(<link name="LINK"/><joint name="LINK" type="fixed"><parent link="platform"/>)"
                           R"(<child link="LINK"/><origin xyz="0.01 0 0"/></joint></robot>)";
