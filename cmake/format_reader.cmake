@@ -1,5 +1,5 @@
 # parallel_aspects_format_reader(NAME SOURCE...): a library that reads a format of robots, which the core loads when such a
-# file is given. It lies where the core looks for it.
+# file is given. It lies where the core searches for it.
 function(parallel_aspects_format_reader name)
   add_library(${name} MODULE ${ARGN})
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)

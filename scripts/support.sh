@@ -71,7 +71,7 @@ if command -v ccache > /dev/null; then cmake_options+=(-DCMAKE_CXX_COMPILER_LAUN
 by_room=(-DPARALLEL_ASPECTS_BY_ROOM=ON)
 
 # Into `release`: what decides how a source of the package is compiled. Warnings are errors with the compiler that they were
-# looked at with, which a bare machine has only once packages are installed.
+# examined with, which a bare machine has only once packages are installed.
 choose_release() {
   release=(-DCMAKE_BUILD_TYPE=Release -DPARALLEL_ASPECTS_PRECOMPILED_HEADERS=tests "${by_room[@]}")
   if [ "$(g++ -dumpversion)" = 12 ]; then release+=(-DPARALLEL_ASPECTS_WERROR=ON); fi
@@ -89,7 +89,7 @@ quietly() {
 }
 
 # configure OPTION...: the build tree, with options that all scripts share, so that none compiles what another has
-# compiled. What another has asked for stays on. ROS is looked for each time: the core is compiled the same with and without.
+# compiled. What another has asked for stays on. ROS is searched for each time: the core is compiled the same with and without.
 configure() {
   local ros=OFF
   choose_release

@@ -11,7 +11,7 @@ from ._fields import answer
 from ._results import Aspect
 from ._text import Mode, array, count, real
 
-UNDECIDED = 0  # closer to a singularity or a limit than the map can tell
+UNDECIDED = 0  # closer to a singularity or a limit than the map can decide
 OUTSIDE = -1  # proved to lie in no aspect of the working mode
 NOT_MAPPED = -2  # outside the region of the map
 
