@@ -19,7 +19,7 @@ ChooseQuestion along(const Pose& first, const Pose& last) {
 
 const Pose path_from = Pose::planar(3.0, 6.0), path_to = Pose::planar(5.0, 7.0);
 
-TEST(Choose, TellsAspectsOfAMapUnlessItIsBrief) {
+TEST(Choose, ReportsAspectsOfAMapUnlessItIsBrief) {
   Session session(test::five_bar());
   ChooseQuestion question = along(path_from, path_to);
   const auto whole = answer(session, question);

@@ -16,7 +16,7 @@ TEST(Problem, NamesItsFieldsAsEachFaceDoes) {
   EXPECT_EQ(text_of(no_map, plain_name), "policy any needs a map; give policy serial, or slice.");
 }
 
-TEST(Problem, OfALayerBelowIsToldAsItIs) {
+TEST(Problem, OfALayerBelowIsReportedAsItIs) {
   EXPECT_EQ(text_of(told("The region {x} is empty."), as_option), "The region {x} is empty.");
 }
 

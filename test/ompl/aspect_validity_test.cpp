@@ -128,7 +128,7 @@ TEST(CertifiedMotionValidator, AgreesWithDensePoses) {
   }
 }
 
-TEST(CertifiedMotionValidator, TellsTheLastValidState) {
+TEST(CertifiedMotionValidator, ReportsTheLastValidState) {
   for (const std::string& name : one_of_each_space) {
     Ground ground(name);
     int looked_at = 0, close = 0;

@@ -79,7 +79,7 @@ TEST(SdfReader, RefusalsNameTheElement) {
                                               "(XML_ERROR_MISMATCHED_ELEMENT); correct it there."});
 }
 
-TEST(SdfReader, SaysWhereModelsAreLookedFor) {
+TEST(SdfReader, SaysWhereModelsAreSearchedFor) {
   EXPECT_EQ(
       refusal("<link name=\"base_link\"/>",
               "<link name=\"base_link\"/><include><uri>model://arm</uri></include>"),

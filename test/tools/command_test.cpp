@@ -224,7 +224,7 @@ TEST_F(Command, FilesServeAsWellAsAName) {
             run_json({"describe", "five_bar"}));
 }
 
-TEST_F(Command, TooFewAndTooManyFilesAreTold) {
+TEST_F(Command, TooFewAndTooManyFilesAreReported) {
   EXPECT_EQ(run({"map", "a.urdf"}).messages.substr(0, 70),
             "its YAML is required behind 'a.urdf'; `aspects setup a.urdf` writes it");
   EXPECT_EQ(run({"map", "a.urdf", "b.yaml", "c.yaml"}).messages.substr(0, 36),
@@ -235,7 +235,7 @@ TEST_F(Command, TooFewAndTooManyFilesAreTold) {
   EXPECT_EQ(run({"map", "a.urdf", "b.yaml", "--config", "c.yaml"}).messages, twice);
 }
 
-TEST_F(Command, FilesThatAreExchangedAreTold) {
+TEST_F(Command, FilesThatAreExchangedAreReported) {
   EXPECT_EQ(run({"map", "a.yaml", "b.urdf"}).messages,
             "'b.urdf' is given as the YAML of 'a.yaml'; give the URDF first, then the YAML.\n");
 }
@@ -353,7 +353,7 @@ TEST_F(Command, DirectAndInverseAgree) {
   }
 }
 
-TEST_F(Command, DirectTellsTheTrivialSolutionsOfTheAgileEyeApart) {
+TEST_F(Command, DirectDistinguishesTheTrivialSolutionsOfTheAgileEye) {
   const json modes = run_json({"fk", "agile_eye", "--joints", "0.3 0.2 -0.4"}).at("assembly_modes");
   EXPECT_EQ(modes.size(), 8U);
   int trivial = 0;
@@ -367,7 +367,7 @@ TEST_F(Command, DirectTellsTheTrivialSolutionsOfTheAgileEyeApart) {
       << outcome.output;
 }
 
-TEST_F(Command, InverseTellsOfPassiveLimits) {
+TEST_F(Command, InverseReportsPassiveLimits) {
   const json answer = run_json({"ik", "five_bar", "--pose", "4.5 8"});
   for (const json& solution : answer.at("solutions"))
     EXPECT_TRUE(solution.at("joint_outside_limits").is_null());

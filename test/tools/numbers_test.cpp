@@ -31,7 +31,7 @@ TEST(Numbers, NamedOnesMayHaveBlanksAroundTheSign) {
   EXPECT_EQ(words_of_list("z = 0.5, roll=0  yaw= 1"), (std::vector<std::string>{"z=0.5", "roll=0", "yaw=1"}));
 }
 
-TEST(Numbers, EveryProblemIsToldAtOnce) {
+TEST(Numbers, EveryProblemIsReportedAtOnce) {
   Problems problems;
   parse_numbers("--pose", "nan inf x", {"x", "y"}, problems);
   ASSERT_EQ(problems.size(), 4U);

@@ -178,7 +178,7 @@ Drive with_singularity(Drive drive) {
 class AnkleDrive : public Ankle, public testing::WithParamInterface<Drive> {};
 
 // A warning, then a stop, while the robot is followed and is as far away as the thresholds say or farther.
-TEST_P(AnkleDrive, IsToldBeforeTheSingularityIsReached) {
+TEST_P(AnkleDrive, IsReportedBeforeTheSingularityIsReached) {
   const Drive drive = with_singularity(GetParam());
   const Vector2d end = drive.from + drive.singular * drive.direction;
   DistanceThresholds::Options options;

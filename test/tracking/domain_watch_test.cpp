@@ -88,7 +88,7 @@ TEST(DomainWatch, IsNotMovedByFlutterNorByPosesOfNoRegion) {
 }
 
 // Solutions of one aspect of a 3-RPR with a strut held.
-TEST(DomainWatch, TellsSolutionsOfOneAspectApart) {
+TEST(DomainWatch, DistinguishesSolutionsOfOneAspect) {
   const auto robot = test::three_rpr()->with_constraints({});
   UniquenessOptions options;
   options.slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, 14.98}});

@@ -79,7 +79,7 @@ TEST(DistanceThresholds, TheNearestIsOneThatIsKnown) {
 
 constexpr HazardMemory::Speeds approaching{-0.1, 0.2, unknown};
 
-TEST(HazardMemory, TellsWhatWasProvedUntilTheRobotIsBackBeyondTheHysteresis) {
+TEST(HazardMemory, ReportsWhatWasProvedUntilTheRobotIsBackBeyondTheHysteresis) {
   DistanceThresholds levels = thresholds();
   HazardMemory memory;
   const auto see = [&](double parallel, double time) {
@@ -103,7 +103,7 @@ TEST(HazardMemory, TellsWhatWasProvedUntilTheRobotIsBackBeyondTheHysteresis) {
   EXPECT_FALSE(see(0.151, 5.0));
 }
 
-TEST(HazardMemory, HasNothingToTellBeforeADistanceWasProved) {
+TEST(HazardMemory, HasNothingBeforeADistanceWasProved) {
   DistanceThresholds levels = thresholds();
   HazardMemory memory;
   memory.lose();

@@ -74,7 +74,7 @@ class NonsingularAssemblyModeChange : public testing::Test {
   bool first_again_ = false;  // of the last change
 };
 
-TEST_F(NonsingularAssemblyModeChange, IsToldWhenTheDrivesAreBack) {
+TEST_F(NonsingularAssemblyModeChange, IsReportedWhenTheDrivesAreBack) {
   std::vector<JointVector> path = find_path();
   ASSERT_GE(path.size(), 3U);
   Tracker tracker(robot_, exact());

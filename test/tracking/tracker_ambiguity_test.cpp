@@ -121,7 +121,7 @@ TEST(AmbiguousTracker, TheParameterThatMakesASilenceIsNamed) {
   EXPECT_EQ(std::string(reason(Ambiguity::half_turn)).find("interval"), std::string::npos);
 }
 
-TEST(AmbiguousTracker, ASilenceIsToldFromTheUsualRate) {
+TEST(AmbiguousTracker, ASilenceIsDistinguishedFromTheUsualRate) {
   const auto free = test::five_bar(), limited = with_velocity(*free, 1.0);
   const JointVector q = joint_values(*free, at(4.5, 8.0), {-1, -1});
   SampleOptions options;

@@ -194,7 +194,7 @@ TEST(Tracker, SaysThatItIsLostAtAParallelSingularity) {
   EXPECT_EQ(tracker.state().aspect, 0);
 }
 
-TEST(Tracker, TellsTheAspectsBeforeAndAfter) {
+TEST(Tracker, ReportsTheAspectsBeforeAndAfter) {
   const auto map = compute_aspect_map(robot).map;
   ASSERT_TRUE(map);
   Tracker tracker(robot);

@@ -176,7 +176,7 @@ TEST(Weld, StaysRigidWhereThatMakesAManipulator) {
 }
 
 // Empty links at the ends of the legs, drawn some millimetres off the platform that they are welded to.
-TEST(Weld, TellsHowFarEndsAreApart) {
+TEST(Weld, SaysHowFarEndsAreApart) {
   std::string welds;
   for (int i = 2; i <= 6; ++i)
     welds += "<gazebo><joint name=\"hold_" + std::to_string(i) +

@@ -118,7 +118,7 @@ TEST(Limits, ComeFromTheUrdf) {
 }
 
 // Elbow 1 bends to one side only: half of the working modes ask for what it cannot do.
-TEST(Limits, OfPassiveJointsAreToldApart) {
+TEST(Limits, OfPassiveJointsAreDistinguished) {
   std::string urdf = test::source_file("urdf/five_bar.urdf");
   urdf = replaced(urdf, "<joint name=\"elbow_1_joint\" type=\"continuous\">",
                   "<joint name=\"elbow_1_joint\" type=\"revolute\"><limit lower=\"0\" upper=\"3\" "

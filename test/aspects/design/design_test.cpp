@@ -96,7 +96,7 @@ TEST(Design, FiguresAreThoseOfTheMap) {
   EXPECT_GT(value("clearance"), 4.0);
 }
 
-TEST(Design, WhatCannotBeIsTold) {
+TEST(Design, WhatCannotBeIsReported) {
   const auto robot = test::five_bar();
   EXPECT_THROW(with_design(*robot, {{"rod_1", -1.0}}), InvalidDescription);
   EXPECT_THROW(with_design(*robot, {{"rod_1", std::numeric_limits<double>::quiet_NaN()}}),

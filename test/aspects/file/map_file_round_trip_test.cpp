@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(TaskSpaces, RoundTrip,
 
 // A map in which small aspects were searched for serves whoever does not ask for that, and no other the one
 // who does.
-TEST_F(MapFile, CompleteMapsAreTold) {
+TEST_F(MapFile, CompleteMapsAreReported) {
   const RobotPtr robot = test::shipped("linear_delta")->mapped_manipulator();
   MapOptions plain = coarse(0.05);
   plain.modes = {working_modes(*robot).front()};
@@ -126,7 +126,7 @@ TEST_F(MapFile, CompleteMapsAreTold) {
 }
 
 // A display knows a map by its bytes alone, and not the options that it was computed with.
-TEST(MapBytes, AreReadWithTheOptionsThatTheMapTells) {
+TEST(MapBytes, AreReadWithTheOptionsThatTheMapHas) {
   for (const char* const robot :
        {"five_bar", "bipod", "three_rrr", "linear_delta", "delta", "spherical_3rrr"}) {
     const RobotPtr manipulator = test::shipped(robot)->mapped_manipulator();

@@ -44,7 +44,7 @@ std::shared_ptr<const Manipulator> small_five_bar(double away) {
                             test::planar_revolute_leg(1, {away + 0.09, 0.0}, 0.05, 0.08)});
 }
 
-TEST_F(EmptyMap, ARobotTooFarFromItsBaseFrameIsToldHowFarItMayBe) {
+TEST_F(EmptyMap, OfARobotTooFarFromItsBaseFrameSaysHowFarItMayBe) {
   EXPECT_EQ(
       reason(small_five_bar(1000.0), {}),
       "refused: The region is 0.17 m wide in x and 1000 m from the origin of the frame 'base_link', which is "

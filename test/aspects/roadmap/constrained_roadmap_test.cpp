@@ -67,7 +67,7 @@ TEST(ConstrainedRoadmap, TheWorkspaceBoundsWhatLegsDoNot) {
   EXPECT_EQ(compute_pose_roadmap(robot, options).status, MapStatus::complete);
 }
 
-TEST(ConstrainedRoadmap, QuestionsAreToldWhichConstraintFails) {
+TEST(ConstrainedRoadmap, AnswersNameTheConstraintThatFails) {
   const SegmentCertifier certifier(stewart_in_a_box());
   const WorkingMode mode(6);
   PoseInMode inside{{}, mode}, outside{{}, mode};

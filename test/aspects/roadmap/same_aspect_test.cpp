@@ -103,7 +103,7 @@ TEST(SameAspect, TheTwoAspectsOfOneSideAreNeverJoined) {
   EXPECT_EQ(same_aspect(*roadmap, {at(4.5, 3.55), mode}, {at(4.6, 3.0), mode}).answer, SameAspect::yes);
 }
 
-TEST(SameAspect, SignsAndReachTellConfigurationsApart) {
+TEST(SameAspect, SignsAndReachDistinguishConfigurations) {
   const auto robot = test::shipped("hexa")->manipulator();
   const SegmentCertifier certifier(robot);
   const Pose home = at(0.0, 0.0, -0.6);

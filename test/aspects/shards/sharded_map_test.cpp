@@ -194,7 +194,7 @@ TEST_F(ShardedMaps, FoldersOfAnotherMapAreRefused) {
   EXPECT_THROW(compute_sharded_map(other, folder("five_bar"), crew, {}, {}), InvalidDescription);
 }
 
-TEST_F(ShardedMaps, TellOfOtherModesThanThoseAskedForNothing) {
+TEST_F(ShardedMaps, SayNothingOfModesThatAreNotAskedFor) {
   const ShardPlan plan = plan_of(*test::three_rrr(), 2.0, 1, 0);
   const auto tree = grow_shard(plan, 3, {});
   ASSERT_TRUE(tree);

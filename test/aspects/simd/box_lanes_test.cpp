@@ -98,7 +98,7 @@ std::string text(const Manipulator& robot, const BoxRequest& request) {
 }
 
 // One by one every number is worked out by `Interval` and by `Affine` of double.
-TEST(BoxLanes, TellOfEachBoxWhatIsToldOfItAlone) {
+TEST(BoxLanes, FindOfEachBoxWhatIsFoundOfItAlone) {
   std::size_t compared = 0, undecided = 0;
   for (const Robot& robot : robots()) {
     const std::vector<WorkingMode> modes = working_modes(*robot);

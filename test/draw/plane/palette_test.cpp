@@ -63,7 +63,7 @@ TEST(Palette, HuesOfAToneAreApartForEveryVision) {
               << std::hex << aspect_color(sign, a) << ' ' << aspect_color(sign, b);
 }
 
-TEST(Palette, TheToneTellsTheSignOfDetA) {
+TEST(Palette, TheToneShowsTheSignOfDetA) {
   for (const Matrix3d& vision : {normal_vision(), protanopia(), deuteranopia()})
     for (std::size_t hue = 0; hue < hue_count; ++hue) {
       EXPECT_GT(lab(aspect_color(1, hue), vision)[0], 60.0);

@@ -80,7 +80,7 @@ TEST(Direct, AbsurdDrivesEndAtOnce) {
     }
 }
 
-TEST(Direct, StrutOfNegativeLengthAssemblesNowhere) {
+TEST(Direct, StrutOfNegativeLengthDoesNotAssemble) {
   const DirectResult result = direct(*test::three_rpr(), joint_values({14.98, -15.38, 12.0}));
   EXPECT_EQ(result.status, DirectStatus::solved);
   EXPECT_TRUE(result.solutions.empty());

@@ -43,7 +43,7 @@ class Folds : public testing::TestWithParam<const char*> {
 };
 
 // From half way, where the solutions are far from a fold: what is safe has none, and others not too early.
-TEST_P(Folds, AreProvedWhereTheyAreAndNowhereElse) {
+TEST_P(Folds, AreProvedExactlyWhereTheyAre) {
   int safe = 0, folded = 0, proved = 0;
   for (int i = 0; i < test::thinned(100); ++i) {
     const WorkingMode mode = pairs.mode();

@@ -201,7 +201,7 @@ TEST_F(FiveBarPath, TheBestIsBestByWhatIsPreferred) {
   EXPECT_NE(clear.modes.front().mode, travel.modes.front().mode);
 }
 
-TEST_F(FiveBarPath, AnAspectIsToldWhereThereIsAMap) {
+TEST_F(FiveBarPath, AnAspectIsReportedWhereThereIsAMap) {
   const auto map = compute_aspect_map(robot).map;
   PathChoiceOptions options;
   options.map = map.get();

@@ -98,7 +98,7 @@ class AroundCusp : public testing::Test {
 };
 
 // With the noise that each is said to be followed with, and no more than that of the tracker.
-TEST_F(AroundCusp, ChangesTheAssemblyModeAndIsTold) {
+TEST_F(AroundCusp, ChangesTheAssemblyModeAndIsReported) {
   ASSERT_EQ(cusps_.size(), 6U);
   const double usual = SampleOptions().encoder_noise;
   const CuspPlanner planner(map_, cusps_);

@@ -122,7 +122,7 @@ TEST(PlanInRoadmap, FindsNarrowPassages) {
 }
 
 // The gates near the start lead to where the goal is not reached from.
-TEST(PlanInRoadmap, LooksForGatesFromTheGoalToo) {
+TEST(PlanInRoadmap, SearchesForGatesFromTheGoalToo) {
   const Robot robot = test::shipped("six_pus")->mapped_manipulator();
   const WorkingMode first = *WorkingMode::from_signs({-1, -1, -1, -1, -1, -1}),
                     second = *WorkingMode::from_signs({-1, -1, -1, -1, 1, -1});

@@ -138,7 +138,7 @@ int changes_of_sign(const Manipulator& robot, const PlannedPath& path, const Pat
 }
 
 // Sets of different signs are joined through det A = 0 alone, which every path of these crosses once.
-TEST(PlanPath, TellsWhereControlIsLost) {
+TEST(PlanPath, ReportsWhereControlIsLost) {
   const auto map = map_of(test::five_bar());
   PathPlanner planner(map);
   for (const Aspect& first : map->aspects())

@@ -31,7 +31,7 @@ TEST(StatedSigns, TakeEveryWorkingModeUnlessOneIsNamed) {
 }
 
 // Fields that a kind does not look at are not ignored; what rosservice fills in by itself says nothing.
-TEST(FaultOf, NamesTheFieldThatIsNotLookedAt) {
+TEST(FaultOf, NamesTheFieldThatIsNotRead) {
   const auto mechanism = test::five_bar_mechanism();
   const auto fault = [&](const Configuration& configuration) {
     return fault_of(*mechanism->manipulator(), configuration);

@@ -102,7 +102,7 @@ class NearDeterminantZero : public RobotMonitorTest {
   AspectState state_, last_;  // present, and before
 };
 
-TEST_F(NearDeterminantZero, TellsTheLastProvedHazardWhileLostAndUntilItIsClearOfThat) {
+TEST_F(NearDeterminantZero, ReportsTheLastProvedHazardWhileLostAndUntilItIsClearOfThat) {
   const AspectState lost = go_to(1.5);
   EXPECT_EQ(last_.level, AspectState::WARN);
   EXPECT_EQ(last_.last_hazard.kind, LastHazard::NONE);
@@ -223,7 +223,7 @@ TEST(ThresholdOffer, CanBePasted) {
 }
 
 // A level that comes between two samples that are published is published too.
-TEST(Decimation, TellsLevelsThatChange) {
+TEST(Decimation, ReportsLevelsThatChange) {
   Decimation tested(10);
   AspectState state;
   state.level = AspectState::CLEAR;

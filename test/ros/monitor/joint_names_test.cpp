@@ -15,7 +15,7 @@ using test::RobotMonitorTest;
 
 class JointNames : public RobotMonitorTest {};
 
-TEST_F(JointNames, TellsWhichJointsAreExpectedAndWhichArrive) {
+TEST_F(JointNames, ReportsWhichJointsAreExpectedAndWhichArrive) {
   const auto named = [](const std::vector<std::string>& names) {
     sensor_msgs::JointState message;
     message.header.stamp = at(1.0);

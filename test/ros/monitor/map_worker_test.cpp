@@ -89,7 +89,7 @@ TEST_F(MapWorkerTest, ANewJobTakesThePlaceOfARunningOne) {
 }
 
 // With three degrees of freedom small aspects are searched for where that is asked for.
-TEST(MapWorkerOfThreeFreedoms, TellsTheExactNumberOfAspects) {
+TEST(MapWorkerOfThreeFreedoms, ReportsTheExactNumberOfAspects) {
   ros::Time::init();
   MapWorker worker(test::shipped("linear_delta")->mapped_manipulator(), "", [](const auto&, const auto&) {});
   MapOptions options;
@@ -134,7 +134,7 @@ TEST(MapWorkerThatEnds, GivesUpWhatItComputes) {
 }
 
 // With six degrees of freedom a roadmap is made, in all its modes, and told of; there is no map.
-TEST(MapWorkerOfSixFreedoms, TellsOfARoadmap) {
+TEST(MapWorkerOfSixFreedoms, ReportsARoadmap) {
   ros::Time::init();
   auto legs = test::stewart()->legs();
   for (Leg& leg : legs) leg.limits = JointLimits{0.4, 0.8};

@@ -83,7 +83,7 @@ TEST_F(RobotMonitorTest, MessagesOfOtherRobotsChangeNothing) {
 }
 
 // However often work is done until the next sample.
-TEST_F(RobotMonitorTest, ALossIsToldOnce) {
+TEST_F(RobotMonitorTest, ALossIsReportedOnce) {
   update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
   std::vector<AspectTransition> told = update(joint_values(4.5, 8.0, {1, -1}, 2.0), 2.0).transitions;
   for (int i = 1; i <= 5; ++i) {
@@ -105,7 +105,7 @@ TEST_F(RobotMonitorTest, ForgetsEverythingWhenTimeIsReset) {
   EXPECT_EQ(again.state->header.stamp, at(1.0));
 }
 
-TEST_F(RobotMonitorTest, WhatWasBeforeTimeBeganAnewIsNotTold) {
+TEST_F(RobotMonitorTest, WhatWasBeforeTimeBeganAgainIsNotReported) {
   monitor_.set_map(compute_aspect_map(mechanism_->manipulator()).map);
   const auto first = update(joint_values(4.5, 8.0, {1, -1}, 5.0), 5.0).transitions;
   ASSERT_EQ(first.size(), 1U);

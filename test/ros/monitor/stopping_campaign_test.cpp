@@ -13,7 +13,7 @@ namespace {
 
 class Stopping : public testing::TestWithParam<const char*> {};
 
-TEST_P(Stopping, IsToldBeforeTheThresholdIsPassedByMoreThanASample) {
+TEST_P(Stopping, IsReportedBeforeTheThresholdIsPassedByMoreThanASample) {
   test::StoppingPlan plan;
   plan.speeds = {0.1};
   plan.noises = {0.0, 1e-4};

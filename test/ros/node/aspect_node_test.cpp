@@ -209,7 +209,7 @@ TEST_F(AspectNode, AnswersAboutJointValuesInEveryAssemblyMode) {
 
 // The actuated joints run along a tour of the aspects; the node must tell the same tour, with no det A
 // crossed.
-TEST_F(AspectNode, TellsEveryTransitionOfATour) {
+TEST_F(AspectNode, ReportsEveryTransitionOfATour) {
   const Recorder<AspectState> state("/aspect_node/state");
   const Recorder<AspectTransition> transitions("/aspect_node/transitions");
   const Recorder<sensor_msgs::JointState> completed("/aspect_node/joint_states");
@@ -281,7 +281,7 @@ TEST_F(AspectNode, BecomesStale) {
   EXPECT_EQ(ask<GetCurrentAspect>("get_current_aspect", Configuration()).status.code, Status::STALE);
 }
 
-TEST_F(AspectNode, TakesTheAssemblyModeThatItIsTold) {
+TEST_F(AspectNode, AcceptsTheAssemblyModeThatIsStated) {
   const JointVector q = inverse(robot_, test::pose_at(4.5, 8.0), *WorkingMode::from_signs({1, -1})).q;
   Configuration sign;
   SetAssemblyMode::Response response;

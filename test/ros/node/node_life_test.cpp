@@ -443,7 +443,7 @@ TEST_F(NodeLife, ARobotWithoutVisualsIsDrawnAsLines) {
   }));
 }
 
-TEST_F(NodeLife, TellsRatesAndLossesInDiagnostics) {
+TEST_F(NodeLife, ReportsRatesAndLossesInDiagnostics) {
   using Level = diagnostic_msgs::DiagnosticStatus;
   set("thresholds/parallel_stop", 0.1);
   start();

@@ -186,7 +186,7 @@ TEST(ProblemsOf, AnUpperBoundOfTheCountIsForMaps) {
   EXPECT_TRUE(mention(problems, "/node/map/complete is for maps"));
 }
 
-TEST(ProblemsOf, ATimeoutThatMakesNoSenseIsTheOnlyCulprit) {
+TEST(ProblemsOf, ATimeoutThatMakesNoSenseIsTheOnlyCause) {
   for (const double timeout : {0.0, -1.0, not_a_number}) {
     XmlRpcValue parameters;
     parameters["joint_states_timeout"] = timeout;

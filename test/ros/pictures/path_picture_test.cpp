@@ -17,7 +17,7 @@ std_msgs::ColorRGBA color_of_index(double index) { return color(index_color(inde
 
 bool is_bluer(const std_msgs::ColorRGBA& a, const std_msgs::ColorRGBA& b) { return a.b - a.r > b.b - b.r; }
 
-TEST(PathPicture, ColoursTellHowNearDetAIsToZero) {
+TEST(PathPicture, ColoursShowHowNearDetAIsToZero) {
   for (int i = 50; i < 100; ++i)
     EXPECT_TRUE(is_bluer(color_of_index(0.01 * (i + 1)), color_of_index(0.01 * i))) << i;
   EXPECT_TRUE(is_bluer(color_of_index(1.0), color_of_index(0.5)));

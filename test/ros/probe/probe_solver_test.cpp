@@ -93,7 +93,7 @@ TEST_F(ProbeOfFiveBar, StaysAtTheNearestPoseAndSaysHowFarAndWhose) {
             std::string::npos);
 }
 
-TEST_F(ProbeOfFiveBar, TellsTheOtherWorkingModesOfItsPoseWhereAsked) {
+TEST_F(ProbeOfFiveBar, ReportsTheOtherWorkingModesOfItsPoseWhereAsked) {
   EXPECT_TRUE(find(4.5, 8.0).others.empty());
   const ProbeFinding found = find(4.5, 8.0, {1, -1}, true);
   ASSERT_EQ(found.others.size(), 3U);
@@ -126,7 +126,7 @@ TEST(Probe, SaysThatAspectsAreDrawnAtAnotherAngle) {
   EXPECT_FALSE(is_near(*robot, PoseSlice(TaskSpace::SE2, phi + 0.1), start.pose));
 }
 
-TEST(Probe, OfAWristTellsDistancesAsAngles) {
+TEST(Probe, OfAWristReportsDistancesAsAngles) {
   const auto mechanism = test::shipped("spherical_3rrr");
   const AssembledConfiguration start = mechanism->assembled();
   const auto mode = working_mode(*mechanism->manipulator(), start.pose, start.q);

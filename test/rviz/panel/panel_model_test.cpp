@@ -169,7 +169,7 @@ TEST(PanelModel, DrawsDistancesOnOneScale) {
 }
 
 // The state has chords, thresholds are angles.
-TEST(PanelModel, TellsDistancesOfWristsAsAngles) {
+TEST(PanelModel, ReportsDistancesOfWristsAsAngles) {
   NodeView view = followed();
   view.unit = DistanceUnit::of_angles();
   view.state->parallel_distance = bounds(2.0 * std::sin(0.5), 2.0 * std::sin(0.55), -0.5 * std::cos(0.5));
@@ -262,7 +262,7 @@ TEST(PanelModel, WaitsUntilGoalsAreHeard) {
   EXPECT_TRUE(may_ask(view));
 }
 
-TEST(PanelModel, TellsHowFarTheMapIs) {
+TEST(PanelModel, ReportsHowFarTheMapIs) {
   NodeView view = followed();
   EXPECT_TRUE(map_line_of(view).text.empty());
   view.progress.emplace();

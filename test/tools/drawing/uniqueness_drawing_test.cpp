@@ -158,7 +158,7 @@ TEST(UniquenessDrawing, ShowsSlicesWithoutComponents) {
   EXPECT_TRUE(has(draw_uniqueness(*empty), "actuated values"));
 }
 
-TEST(UniquenessDrawing, TellsWhatWhiteIs) {
+TEST(UniquenessDrawing, SaysWhatWhiteIs) {
   EXPECT_TRUE(has(draw_uniqueness(three_rrr()), "no number is proved, no solution, or out of reach"));
 }
 

@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 // Numbers of a robot with several working modes as a whole are those of each, and its sets as well.
-TEST(UniquenessReport, TellsTheWorkingModeOfNumbers) {
+TEST(UniquenessReport, ReportsTheWorkingModeOfNumbers) {
   UniquenessOptions options;
   options.most_cells = 4000;
   const UniquenessResult result = compute_uniqueness(test::shipped("three_prr")->manipulator(), options);

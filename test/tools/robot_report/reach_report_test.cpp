@@ -43,7 +43,7 @@ TEST(Reach, IsFoundAboutTheStart) {
   EXPECT_LT(reach.at("upper").at("z"), 0.11);
 }
 
-TEST(Reach, IsToldInDegrees) {
+TEST(Reach, IsReportedInDegrees) {
   const std::string text = reach_text(described("short_strokes"));
   EXPECT_EQ(text.rfind("workspace: x from -0.0", 0), 0U) << text;
   EXPECT_NE(text.find("one coordinate alone"), std::string::npos) << text;

@@ -72,7 +72,7 @@ TEST_F(ChooseCommand, TheBestWorkingModeComesFirst) {
   EXPECT_LE(travel.at("modes")[0].at("total_travel").get<double>(), best.at("total_travel").get<double>());
 }
 
-TEST_F(ChooseCommand, ChangesOfPostureAreToldWithTheirPlace) {
+TEST_F(ChooseCommand, ChangesOfPostureAreReportedWithTheirPlace) {
   EXPECT_EQ(choose(long_path).code, exit_code::proved_no);
   const Outcome outcome = choose(long_path, {"--changes", "--json"});
   ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages;

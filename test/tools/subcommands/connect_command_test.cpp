@@ -105,7 +105,7 @@ TEST_F(RoadmapCommand, ConnectsPosesOfAStewartPlatform) {
 }
 
 // The 47.85 and the 3.70 m^2 aspect of the paper's five-bar share their signs: only the map tells them apart.
-TEST_F(RoadmapCommand, TellsTheAspectsOfTheFiveBarApart) {
+TEST_F(RoadmapCommand, DistinguishesTheAspectsOfTheFiveBar) {
   const auto found = answers(
       run_json({"connect", "five_bar", "--from", "4.5 3.55", "--to", "4.5 -11.71", "--samples", "200"}));
   const std::map<std::string, std::string> expected{
@@ -113,7 +113,7 @@ TEST_F(RoadmapCommand, TellsTheAspectsOfTheFiveBarApart) {
   EXPECT_EQ(found, expected);
 }
 
-TEST_F(RoadmapCommand, BottlenecksAreToldWhereThereIsAMap) {
+TEST_F(RoadmapCommand, BottlenecksAreReportedWhereThereIsAMap) {
   const auto bottleneck = [&](const char* to, const char* index) {
     return run_json(
                {"connect", "five_bar", "--from", "4.5 8", "--to", to, "--mode", "(+,-)", "--index", index})

@@ -96,7 +96,7 @@ TEST_F(MapCommand, EmptyRegionsAreNotPrinted) {
   EXPECT_EQ(text.find("bounds"), std::string::npos) << text;
 }
 
-TEST_F(MapCommand, TellsWhichSymmetriesItUsed) {
+TEST_F(MapCommand, ReportsWhichSymmetriesItUsed) {
   const json map = run_json({"map", "five_bar", "--resolution", "0.5"});
   EXPECT_EQ(map["symmetry"]["motions"], json::array({"(x, -y)"}));
   EXPECT_EQ(map["symmetry"]["computed_modes"], 2);
@@ -256,7 +256,7 @@ TEST_F(MapCommand, PersistenceListsBasins) {
 }
 
 // Where the limits cut nothing, or are nearly a full turn, the counts are the same.
-TEST_F(MapCommand, CountsWithoutLimitsAreTold) {
+TEST_F(MapCommand, CountsWithoutLimitsAreReported) {
   const json bipod = run_json({"map", "bipod", "--resolution", "0.2"});
   EXPECT_EQ(bipod.at("without_limits").at("components"), 2);
   EXPECT_EQ(bipod.at("without_limits").at("left_out"), json::array({"actuated_limits"}));
@@ -329,7 +329,7 @@ TEST_F(MapCommand, SlicesAreMapped) {
   EXPECT_TRUE(run_json({"map", "five_bar"}).at("slice").is_null());
 }
 
-TEST_F(MapCommand, NeighboursAreToldWhereAsked) {
+TEST_F(MapCommand, NeighboursAreReportedWhereAsked) {
   const json map = run_json({"map", "five_bar", "--neighbours"});
   ASSERT_EQ(map.at("neighbours").size(), 18U);
   const json& first = map.at("neighbours").at(0);

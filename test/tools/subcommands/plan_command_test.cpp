@@ -368,7 +368,7 @@ TEST_F(PlanCommand, NamesAStartInTheComponentOfACusp) {
   EXPECT_EQ(run_json(again).at("answer"), "yes") << text;
 }
 
-TEST_F(PlanCommand, TellsWhereControlIsLost) {
+TEST_F(PlanCommand, ReportsWhereControlIsLost) {
   const json path =
       run_json({"plan", "five_bar", "--from-aspect", "1", "--to-aspect", "2", "--policy", "any"});
   EXPECT_EQ(path.at("answer"), "yes");

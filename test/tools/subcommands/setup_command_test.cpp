@@ -114,7 +114,7 @@ TEST_F(SetupCommand, LeavesALaunchFileThatExists) {
 }
 
 // As -0 and 1.7e-17, which rounding leaves of zero.
-TEST_F(SetupCommand, TellsNoNumbersThatAreNoise) {
+TEST_F(SetupCommand, PrintsNoNumbersThatAreNoise) {
   for (const char* name : {"layered_five_bar", "wrist"}) {
     const std::string robot = urdf("test/data/setup/" + std::string(name) + ".urdf");
     const std::string told =

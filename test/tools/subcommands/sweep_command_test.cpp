@@ -205,7 +205,7 @@ TEST_F(SweepCommand, ChartsHaveACellADesignAndLinesWhereTheNumberOfAspectsChange
             std::string::npos);
 }
 
-TEST(SweepChart, NumbersThatAreProvedToDifferAreTold) {
+TEST(SweepChart, NumbersThatAreProvedToDifferAreReported) {
   const auto point = [](std::optional<double> least, std::optional<double> most) {
     return ChartPoint{0.0, 0.0, 1.0, least, most};
   };

@@ -109,7 +109,7 @@ TEST_F(UniquenessCommand, ListsOfASliceInTextWhatJsonHas) {
   EXPECT_EQ(sets.back().rfind(std::to_string(left_out) + " smaller sets left out", 0), 0U) << sets.back();
 }
 
-TEST_F(UniquenessCommand, TellsTheComponentOfEachCusp) {
+TEST_F(UniquenessCommand, ReportsTheComponentOfEachCusp) {
   const std::vector<const char*> question{"uniqueness",          "three_rpr",       "--slice",
                                           "strut_1_joint=14.98", "--no-constraint", "all"};
   std::vector<const char*> with_json = question;

@@ -23,7 +23,7 @@ class WorkspaceCommand : public test::CommandTest {
   const std::string svg = testing::TempDir() + "workspace_command_test.svg";
 };
 
-TEST_F(WorkspaceCommand, TellsTheLargestDiscOfEachAspect) {
+TEST_F(WorkspaceCommand, ReportsTheLargestDiscOfEachAspect) {
   const json report = run_json({"workspace", "five_bar", "--shape", "disc"});
   EXPECT_EQ(report.at("shape"), "disc");
   ASSERT_EQ(report.at("workspaces").size(), 10U);

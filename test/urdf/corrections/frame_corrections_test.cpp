@@ -256,7 +256,7 @@ TEST(FrameCorrection, ConvertsOnlyAnglesThatAreInDegrees) {
 }
 
 // More than a turn, of radians; and 36 degrees by four digits, which are -213 degrees read as radians.
-TEST(FrameCorrection, DoesNotDoubtAnglesInRadians) {
+TEST(FrameCorrection, AcceptsAnglesInRadians) {
   for (const std::string angle : {"8.37758040957", "14.6607657168", "-10.4719755"}) {
     const Description robot = with_origin("leg_2_joint", "rpy=\"0 0 " + angle + "\"");
     EXPECT_EQ(test::doubts(robot), std::vector<std::string>{}) << angle;

@@ -37,7 +37,7 @@ std::string renamed(const std::string& text) {
                             std::regex("(bar|rod|platform)_3"), "$1_C");
 }
 
-TEST(CrossedEnds, AreToldByNamesWhereThereAreThreeLegs) {
+TEST(CrossedEnds, AreReportedByNamesWhereThereAreThreeLegs) {
   for (const bool by_letters : {false, true})
     for (const std::string robot : {"three_rrr", "three_rpr"}) {
       Description good = test::shipped_text(robot);
@@ -58,7 +58,7 @@ TEST(CrossedEnds, AreToldByNamesWhereThereAreThreeLegs) {
     }
 }
 
-TEST(CrossedEnds, AreTheCulpritWhereThatMakesNoRobot) {
+TEST(CrossedEnds, AreTheCauseWhereThatMakesNoRobot) {
   const Description good = test::shipped_text("three_prr");
   Description crossed = good;
   crossed.config = exchanged(crossed.config, "[platform_2,", "[platform_3,");
@@ -70,7 +70,7 @@ TEST(CrossedEnds, AreTheCulpritWhereThatMakesNoRobot) {
 }
 
 // Links are numbered by a program, as CAD does.
-TEST(CrossedEnds, AreToldByNamesOfJoints) {
+TEST(CrossedEnds, AreReportedByNamesOfJoints) {
   Description crossed = test::shipped_text("three_rpr");
   for (auto* text : {&crossed.urdf, &crossed.config})
     for (const auto& [name, other] : {std::pair{"bar_2_tip", "part_18"}, std::pair{"bar_3_tip", "part_24"},
@@ -134,7 +134,7 @@ TEST(DrawnOpen, SaysWhatHoldsItApart) {
 }
 
 // Two of three loops are closed while all joints are zero.
-TEST(MisplacedEnd, IsToldWithTheOriginThatPutsItThere) {
+TEST(MisplacedEnd, IsReportedWithTheOriginThatPutsItThere) {
   Description good{test::source_file("test/data/at_zero/delta.urdf"), low_delta().config};
   good.urdf = in_dialect(
       good.urdf,
@@ -152,7 +152,7 @@ TEST(MisplacedEnd, IsToldWithTheOriginThatPutsItThere) {
   EXPECT_TRUE(any) << said;
 }
 
-TEST(ReversedAxis, IsToldWhereLimitsAreNotTheSameToBothSides) {
+TEST(ReversedAxis, IsReportedWhereLimitsAreNotTheSameToBothSides) {
   Description delta{test::source_file("test/data/at_zero/delta.urdf"), low_delta().config};
   const std::string motor = "rpy=\"0 0 2.094395102\"/>\n    <axis xyz=\"0 1 0\"/>";
   delta.urdf = replaced(delta.urdf, motor, replaced(motor, "0 1 0", "0 -1 0"));
@@ -184,7 +184,7 @@ class PlacedEnds : public ::testing::TestWithParam<std::string> {
   Description good() const { return with(test::closures_of_delta()); }
 };
 
-TEST_P(PlacedEnds, AreWithoutDoubtWhereTheyAreRight) {
+TEST_P(PlacedEnds, HaveNoNoteWhereTheyAreRight) {
   EXPECT_EQ(doubts(good()), std::vector<std::string>{});
   const Description by_links{test::source_file("test/data/at_zero/delta.urdf"), low_delta().config};
   EXPECT_TRUE(are_same(good(), by_links));
@@ -269,7 +269,7 @@ Description five_bar_with_pose(const std::string& pose) {
           "motor_right]}\n"};
 }
 
-TEST(PlaceAtZero, IsTheCulpritWhereItIsBesideTheEndThatItHolds) {
+TEST(PlaceAtZero, IsTheCauseWhereItIsBesideTheEndThatItHolds) {
   const Description good = five_bar_with_pose("0.12 0 0.005");
   EXPECT_EQ(doubts(good), std::vector<std::string>{});
   const std::string said = test::sentence(five_bar_with_pose("0.14 0 0.005"));
@@ -363,7 +363,7 @@ TEST_P(PlacedEnds, AreNotedWhereOneOriginPutsAllOfThemTogether) {
 }
 
 // Another direction than those of the other legs, by which the robot loads as another one.
-TEST(OtherAxis, IsToldOfAnActuatedJoint) {
+TEST(OtherAxis, IsReportedOfAnActuatedJoint) {
   for (const std::string axis : {"1 0 0", "0.6 0 0.8", "0 1 0"}) {
     const Description good = test::shipped_text("linear_delta");
     Description wrong = good;

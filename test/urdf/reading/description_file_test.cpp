@@ -17,7 +17,7 @@ TEST(DescriptionFile, XacroIsRefusedWithTheCommandThatExpandsIt) {
   EXPECT_EQ(xacro_command("arm.urdf"), "'xacro arm.urdf > arm.expanded.urdf'");
 }
 
-TEST(DescriptionFile, TellsFormatsByTheirFirstElement) {
+TEST(DescriptionFile, RecognisesFormatsByTheirFirstElement) {
   const std::string folder = std::string(PARALLEL_ASPECTS_SOURCE_DIR) + "/test/data/";
   EXPECT_TRUE(is_urdf_file(folder + "prrp.urdf"));
   EXPECT_FALSE(is_urdf_file(folder + "mjcf/five_bar.xml"));

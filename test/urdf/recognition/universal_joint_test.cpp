@@ -87,7 +87,7 @@ TEST_F(UniversalJoint, AllowsWhatAllItsConesHold) {
   EXPECT_GT(outside, 100000);
 }
 
-TEST_F(UniversalJoint, IsNotToldWhereADirectionHasTwoPostures) {
+TEST_F(UniversalJoint, IsNotReportedWhereADirectionHasTwoPostures) {
   Universal joint = random_joint(0.2);
   const auto told = [&joint] { return limited_directions(joint.first, joint.second, joint.rod).has_value(); };
   const double q = joint.second.value, p = joint.first.value;

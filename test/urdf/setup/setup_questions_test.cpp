@@ -205,7 +205,7 @@ TEST(Setup, RefusesInTheWordsOfItsOptions) {
 }
 
 // What the chain that the platform hangs on does is not taken for a leg, nor a swivel for a motor.
-TEST(Setup, RefusesWithTheTrueCulprit) {
+TEST(Setup, RefusesWithTheTrueCause) {
   const auto refusal = [](const std::string& robot, const std::string& one, const std::string& other) {
     return listed(set_up_text(test::replaced(urdf_of(robot), one, other)).problems);
   };

@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
               {"piston_a_1", "piston_a_2", "piston_b_1", "piston_b_2", "piston_c_1", "piston_c_2"}}));
 
 // Two ways to close it, which differ in their aspects; each loads where it is asked for.
-TEST(Setup, AsksWhereEquallyMuchSpeaksForTwoWaysToClose) {
+TEST(Setup, AsksWhereTwoWaysToCloseAreEquallyLikely) {
   const SetupResult result = set_up_text(urdf_of("unnamed_three_rpr"));
   EXPECT_FALSE(result.mechanism);
   EXPECT_TRUE(result.config.empty());
@@ -161,7 +161,7 @@ TEST(Setup, FindsAllLegsThatMeetInPairs) {
   EXPECT_EQ(closures_found(set_up_text(urdf_of("octahedral_hexapod"))), all);
 }
 
-TEST(Setup, AsksWhichNeighboursMeetWhereNoNamesTell) {
+TEST(Setup, AsksWhichNeighboursMeetWhereNamesDoNotDecide) {
   const std::string urdf = with_named_corners(urdf_of("octahedral_hexapod"));
   const SetupResult result = set_up_text(urdf);
   EXPECT_FALSE(result.mechanism);
