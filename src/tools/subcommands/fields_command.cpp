@@ -8,7 +8,9 @@
 #include "parallel_aspects/ask/map.h"
 #include "parallel_aspects/ask/plan.h"
 #include "parallel_aspects/ask/robot_description.h"
+#include "parallel_aspects/ask/uniqueness_question.h"
 #include "parallel_aspects/ask/workspace.h"
+#include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "tools/report/report.h"
@@ -104,6 +106,43 @@ void add_answers_of_poses(FieldTables& all) {
   all.add<ask::JacobianAt>("jacobian", "Each of `configurations`");
 }
 
+/// Of all poses or of a slice.
+void add_answer_of_uniqueness(FieldTables& all) {
+  Uniqueness of_five_bar;
+  of_five_bar.map = compute_aspect_map(models::five_bar()->manipulator()).map;
+  const auto uniqueness = std::make_shared<const Uniqueness>(std::move(of_five_bar));
+  const AspectMap& map = *uniqueness->map;
+  using ask::Part;
+  all.add("uniqueness", "", ask::UniquenessAnswer{TaskSpace::T2, uniqueness});
+  all.add("uniqueness", "Each of `components`", Part<Aspect, AspectMap>{&map, &map.aspects().front()});
+  all.add<Cusp>("uniqueness", "Each of `cusps`");
+  all.add<SolutionNode>("uniqueness", "Each of `nodes`");
+  const SolutionRegion region;
+  all.add("uniqueness", "Each of `regions`",
+          Part<SolutionRegion, SolutionNumbers>{uniqueness.get(), &region});
+  const BasicComponent component;
+  all.add("uniqueness", "Each of `basic_components`",
+          Part<BasicComponent, SolutionNumbers>{uniqueness.get(), &component});
+  const BasicRegion basic;
+  all.add("uniqueness", "Each of `basic_regions`", Part<BasicRegion, Uniqueness>{uniqueness.get(), &basic});
+  const UniquenessDomain domain;
+  all.add("uniqueness", "Each of `uniqueness_domains`",
+          Part<UniquenessDomain, Uniqueness>{uniqueness.get(), &domain});
+}
+
+/// In SO3 with a joint held, over a held joint, and over a roadmap.
+void add_other_answers_of_uniqueness(FieldTables& all) {
+  all.add<ask::CuspsInSlice>("uniqueness", "With `--slice` in SO3");
+  all.add<ask::CuspsOverJoint>("uniqueness", "With `--cusps-over`");
+  all.add<CuspCurve>("uniqueness", "Each of `cusp_curves`");
+  all.add<CuspEvent>("uniqueness", "Each of `events` and `undecided`");
+  all.add<CuspCount>("uniqueness", "Each of `cusp_counts`");
+  all.add<ask::SurveyOfRoadmap>("uniqueness", "In SO3 and SE3 without `--slice`");
+  all.add<ComponentSurvey>("uniqueness", "Each of its `components`");
+  all.add<AssemblyChange>("uniqueness", "`assembly_change`");
+  all.add<ProvedSolution>("uniqueness", "`from` and `to`");
+}
+
 std::string markdown_of(const FieldTable& table) {
   std::string text = table.entries.empty() ? "## `" + table.subcommand + "`\n\n" : table.entries + ":\n\n";
   text += "| field | meaning |\n|---|---|\n";
@@ -125,6 +164,8 @@ Report report_fields(const std::string& subcommand) {
   add_answers_of_maps(all);
   add_answers_of_motion(all);
   add_answers_of_poses(all);
+  add_answer_of_uniqueness(all);
+  add_other_answers_of_uniqueness(all);
   if (all.tables().empty())
     throw InvalidDescription(
         {"'" + subcommand + "' has no list of fields; name one of " + joined(all.names(), ", ") + "."});
