@@ -24,8 +24,9 @@ void need_of_path(const CheckQuestion& question, ProblemList& problems) {
 
 void need_of_trajectory(const CheckQuestion& question, ProblemList& problems) {
   if (question.mode)
-    problems.push_back({ProblemKind::together, "mode",
-                        "{mode} is of {path}; the start of actuated joints tells theirs, leave it out.", ""});
+    problems.push_back(
+        {ProblemKind::together, "mode",
+         "{mode} is of {path}; the start of the actuated joints determines theirs; leave it out.", ""});
   else if (question.start_pose && question.start_sign)
     problems.push_back({ProblemKind::together, "start_pose",
                         "{start_pose} and {start_sign} both state the start", "give one of the two"});

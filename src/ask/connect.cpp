@@ -104,7 +104,7 @@ class Connecting {
     }
     if (!first || !second)
       return {SameAspect::unknown,
-              "One of the poses is closer to a singularity or a limit than the map can tell.",
+              "One of the poses is closer to a singularity or a limit than the map can decide.",
               {},
               0};
     if (first.aspect == second.aspect)

@@ -22,7 +22,7 @@ void check_distance(const Session& session, const DistanceQuestion& question, Pr
                         "leave out {map} and {resolution}"});
   else if (session.slice_of(question.map))
     problems.push_back({ProblemKind::robot, "map",
-                        "{map} and {resolution} would be of a slice, which does not tell what is beside it",
+                        "{map} and {resolution} would be of a slice, which does not show what is beside it",
                         "leave them out"});
 }
 

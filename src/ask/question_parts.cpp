@@ -219,7 +219,7 @@ PathEnd assembled(const std::string& name, const Manipulator& robot, const EndQu
     problems.push_back({ProblemKind::value, field,
                         "{" + field + "} assemble in no pose" +
                             (question.mode ? " in the working mode " + to_string(*question.mode) : ""),
-                        "direct solutions tell where values do"});
+                        "give values that have a direct solution"});
   else if (found.size() > 1 && !question.pose)
     problems.push_back({ProblemKind::value, field,
                         "{" + field + "} assemble in several poses: " + listed(robot, q, found),
@@ -253,7 +253,7 @@ PathEnd path_end(const std::string& field, const Manipulator& robot, const EndQu
   if (question.tracked) return *question.tracked;
   if (question.aspect && (question.pose || question.mode || question.joints))
     problems.push_back({ProblemKind::together, field + "_aspect",
-                        "{" + field + "_aspect} tells pose and working mode",
+                        "{" + field + "_aspect} determines pose and working mode",
                         "leave out {" + field + "}, {" + field + "_mode} and {" + field + "_joints}"});
   if (question.aspect) return {};
   if (!question.pose && !question.joints)

@@ -59,7 +59,7 @@ void check_map(const Manipulator& robot, const UniquenessQuestion& question, Pro
                  "leave {} out", problems);
   if (!question.slice && has_elbows(robot) && !example.empty())
     return problems.push_back({ProblemKind::robot, "slice",
-                               "In SE2 actuated values are looked at in slices that hold an actuated joint",
+                               "In SE2 actuated values are examined in slices that hold an actuated joint",
                                "give {slice} " + example});
   const UniquenessOptions options = options_of(robot, question, problems);
   if (problems.size() == known) add_told(find_uniqueness_problem(robot, options), problems);
@@ -116,7 +116,7 @@ ProblemList problems_of(const Manipulator& robot, const UniquenessQuestion& ques
           "leave {} or it out", problems);
     add_told(find_cusps_problem(robot, *question.slice), problems);
   } else if (is_surveyed(robot)) {
-    allow({"samples", "seed", "poses"}, question, "In " + space + " a roadmap is looked at, which has no {}",
+    allow({"samples", "seed", "poses"}, question, "In " + space + " a roadmap is examined, which has no {}",
           "leave it out", problems);
     if (robot.tolerance() > 0.0)
       problems.push_back(told("Direct solutions are those of one robot, without tolerances."));

@@ -13,8 +13,8 @@ DistanceMap::DistanceMap(std::shared_ptr<const AspectMap> map, const MapControl&
   if (!map_) throw InvalidDescription({"There is no map that distances could ask; compute one first."});
   if (map_->slice())
     throw InvalidDescription(
-        {"Distances cannot ask the map of a slice, which does not tell what is beside it; measure without "
-         "a map, or compute that of all poses."});
+        {"Distances cannot ask the map of a slice, which does not show what is beside it; measure without a "
+         "map, or compute that of all poses."});
   leaves_ = std::make_unique<const SingularLeaves>(map_->contents(), control);
 }
 

@@ -125,8 +125,8 @@ class Check {
                      " is one of a robot in SO3, whose links are arcs and have no direction; leave it out.");
     if (!legs_[cone.leg].kind().has_straight_rod)
       problem(which +
-              " cannot be tested, since the leg is actuated at its elbow, and the distance of its ends "
-              "does not tell where its links point; leave it out.");
+              " cannot be tested, since the leg is actuated at its elbow, and the distance of its ends does "
+              "not determine where its links point; leave it out.");
     if (!cone.axis.allFinite() || !(std::abs(cone.axis.norm() - 1.0) < 1e-9) ||
         (is_planar(space_) && cone.axis.z() != 0.0))
       problem(which + " has an axis that is not a unit vector" +

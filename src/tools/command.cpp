@@ -119,8 +119,7 @@ int run_program(Program program, int argc, const char* const* argv,
   } catch (const UsageError& error) {
     const std::string text = error.what();
     surroundings.messages << text << (text.back() == '?' ? "" : ".") << " `" << program.name
-                          << " --help` and `" << program.name << " SUBCOMMAND --help` tell more."
-                          << std::endl;
+                          << " --help` and `" << program.name << " SUBCOMMAND --help` say more." << std::endl;
     return exit_code::bad_usage;
   } catch (const std::exception& error) {
     surroundings.messages << "The command failed: " << error.what() << std::endl;

@@ -27,7 +27,7 @@ const char* reason(Ambiguity ambiguity) noexcept {
     case Ambiguity::none:
       return "";
     case Ambiguity::near_parallel_singularity:
-      return "the actuated joints came too near to det A = 0 to tell the assembly mode";
+      return "the actuated joints came too near to det A = 0 to determine the assembly mode";
     case Ambiguity::gap:
       return "the last step of the actuated joints was longer than their velocity limits allow";
     case Ambiguity::silence:

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/robots/robots.h"
+#include "support/texts.h"
 #include <functional>
 #include <string>
 #include <vector>
@@ -59,9 +60,9 @@ TEST(Check, AnAmbiguousStartNamesThoseThereAre) {
   const std::string text = text_of(outcome.problems.at(0), [](const std::string& field) {
     return field == "start_sign +" ? "A" : field == "start_sign -" ? "B" : field;
   });
-  EXPECT_NE(text.find("state which. Give start_pose \""), std::string::npos) << text;
-  EXPECT_NE(text.find("(the same as A), or start_pose"), std::string::npos) << text;
-  EXPECT_NE(text.find("(the same as B)."), std::string::npos) << text;
+  EXPECT_TRUE(test::has(text, "state which. Give start_pose \""));
+  EXPECT_TRUE(test::has(text, "(the same as A), or start_pose"));
+  EXPECT_TRUE(test::has(text, "(the same as B)."));
 }
 
 TEST(Check, IsRefusedWithTheFieldAtFault) {
@@ -109,7 +110,7 @@ TEST(Check, ColumnsOfJointsAreByName) {
   problems.clear();
   JointColumns(*robot, {first, "gripper"}, "It", problems);
   ASSERT_EQ(problems.size(), 2U);
-  EXPECT_EQ(problems[0].rfind("It has the unknown joint 'gripper'; there are '", 0), 0U) << problems[0];
+  EXPECT_TRUE(test::begins(problems[0], "It has the unknown joint 'gripper'; there are '"));
   EXPECT_EQ(problems[1], "It does not have the joint '" + second + "' once; name every actuated joint.");
   problems.clear();
   JointColumns(*robot, {first, second + "t"}, "It", problems);

@@ -49,8 +49,7 @@ TEST_F(ConstraintChoices, WhatIsWrongNamesItsField) {
   choice.only = "cones";
   EXPECT_EQ(problem_of(choice),
             "constraint names cones, but 'three_rpr' has none; state them in the robot's YAML or URDF, or "
-            "leave the "
-            "name out.");
+            "leave the name out.");
   choice = {};
   choice.margins = {{"paralel", 0.05}};
   EXPECT_EQ(problem_of(choice),

@@ -5,6 +5,7 @@
 
 #include "support/robots/robots.h"
 #include "support/robots/shipped.h"
+#include "support/texts.h"
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -43,7 +44,7 @@ TEST(Graph, SetsAreWhatGatesJoin) {
   ASSERT_EQ(found.aspects.size(), found.map->aspects().size());
   expect_joined_by_gates(found);
   for (const JoinedAspects& set : found.sets) EXPECT_GT(set.workspace_lower.value(), 0.0);
-  EXPECT_NE(found.reason.find("joined through serial gates"), std::string::npos) << found.reason;
+  EXPECT_TRUE(test::has(found.reason, "joined through serial gates"));
 }
 
 TEST(Graph, WithSixDegreesOfFreedomIsOverARoadmap) {

@@ -83,10 +83,9 @@ TEST(MapAnswer, WithSixDegreesOfFreedomThereIsARoadmap) {
   question.neighbours = true;
   const auto refused = answer(session, question);
   ASSERT_EQ(refused.problems.size(), 1U);
-  EXPECT_EQ(
-      text_of(refused.problems[0], plain_name),
-      "resolution and neighbours are for maps of boxes, and in SE3 only slices have these; give slice, or "
-      "leave them out.");
+  EXPECT_EQ(text_of(refused.problems[0], plain_name),
+            "resolution and neighbours are for maps of boxes, and in SE3 only slices have these; give slice, "
+            "or leave them out.");
 }
 
 TEST(MapAnswer, FieldsThatExcludeEachOtherAreNamed) {

@@ -92,7 +92,7 @@ TEST(UniquenessAsked, IsRefusedWithTheFieldAtFault) {
       {"five_bar", "In T2 every aspect is a uniqueness domain as a whole; leave slice out.", held},
       {"five_bar", "samples is of the roadmap of SO3 or SE3, and 'five_bar' moves in T2; leave it out.",
        samples},
-      {"stewart", "In SE3 a roadmap is looked at, which has no slice; leave it out.", held},
+      {"stewart", "In SE3 a roadmap is examined, which has no slice; leave it out.", held},
       {"three_rpr", "cusps_over lists curves of cusps alone; leave slice or it out.", both},
       {"spherical_3rrr",
        "In SO3 slice lists cusps and numbers of direct solutions alone; leave resolution or it out.",

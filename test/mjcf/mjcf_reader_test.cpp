@@ -66,15 +66,14 @@ TEST(MjcfReader, KeepsTheZeroOfJoints) {
 // The manual of MuJoCo calls two anchors of the same bodies a hinge.
 TEST(MjcfReader, TakesTwoConnectsOfTwoBodiesAsAHinge) {
   const std::string hinge =
-      "<connect body1=\"rod_1\" body2=\"rod_2\" anchor=\"5 0 0\"/>"
-      "<connect body1=\"rod_1\" body2=\"rod_2\" anchor=\"5 0 0.1\"/>";
+      "<connect body1=\"rod_1\" body2=\"rod_2\" anchor=\"5 0 0\"/><connect body1=\"rod_1\" body2=\"rod_2\" "
+      "anchor=\"5 0 0.1\"/>";
   std::string text = test::source_file("test/data/mjcf/closed_five_bar.xml");
   text = test::replaced(text, "<connect name=\"loop\" body1=\"rod_1\" body2=\"rod_2\" anchor=\"5 0 0\"/>",
                         hinge);
-  text =
-      test::replaced(text, "<include file=\"five_bar_defaults.xml\"/>",
-                     "<compiler angle=\"degree\"/><default><default class=\"planar\"><joint axis=\"0 0 1\"/>"
-                     "</default></default>");
+  text = test::replaced(text, "<include file=\"five_bar_defaults.xml\"/>",
+                        "<compiler angle=\"degree\"/><default><default class=\"planar\"><joint axis=\"0 0 "
+                        "1\"/></default></default>");
   EXPECT_EQ(test::refusal_of_file("robot.xml", text), Problems());
   const std::string across = test::replaced(text, "anchor=\"5 0 0.1\"", "anchor=\"5.1 0 0\"");
   EXPECT_NE(test::refusal_of_file("robot.xml", across), Problems()) << "no hinge about z";
@@ -84,33 +83,26 @@ TEST(MjcfReader, RefusalsNameElementAndLine) {
   EXPECT_EQ(refusal("joint=\"crank_1_joint\"/>\n    <position", "joint=\"crank_9_joint\"/>\n    <position"),
             Problems{"five_bar.xml has no joint 'crank_9_joint', which <motor> 'motor_1' drives; correct its "
                      "name, or add it."});
-  EXPECT_EQ(
-      refusal("site2=\"closing\"", "site2=\"closed\""),
-      Problems{"five_bar.xml has <connect> 'loop' with the site 'closed', which does not exist; correct "
-               "its name, or add it."});
-  EXPECT_EQ(
-      refusal("site1=\"tool\" site2=\"closing\"", "body1=\"rod_1\" body2=\"rod_9\" anchor=\"5 0 0\""),
-      Problems{"five_bar.xml is refused by MuJoCo: unknown element 'rod_9' in equality constraint 0, named "
-               "'loop', line 32 of five_bar.xml; correct it there."});
-  EXPECT_EQ(
-      refusal("childclass=\"rod\">\n        <joint name=\"elbow_1_joint\"",
-              "childclass=\"arm\">\n        <joint name=\"elbow_1_joint\""),
-      Problems{"five_bar.xml is refused by MuJoCo: unknown default childclass, Element 'body', line 18 of "
-               "five_bar.xml; correct it there."});
-  EXPECT_EQ(
-      refusal("<connect name=\"loop\" site1=\"tool\" site2=\"closing\"/>", "<tendon tendon1=\"t\"/>"),
-      Problems{"five_bar.xml has <tendon> in line 32, which is no <connect>, <weld> or <joint>; leave it "
-               "out, or set active=\"false\"."});
-  EXPECT_EQ(
-      refusal("<light pos=\"0 0 20\"/>", "<replicate count=\"2\"><body/></replicate>"),
-      Problems{"five_bar.xml has <replicate> in line 13, which is not read; let MuJoCo write the file anew "
-               "with what that stands for (mj_saveLastXML), and give that."});
+  EXPECT_EQ(refusal("site2=\"closing\"", "site2=\"closed\""),
+            Problems{"five_bar.xml has <connect> 'loop' with the site 'closed', which does not exist; "
+                     "correct its name, or add it."});
+  EXPECT_EQ(refusal("site1=\"tool\" site2=\"closing\"", "body1=\"rod_1\" body2=\"rod_9\" anchor=\"5 0 0\""),
+            Problems{"five_bar.xml is refused by MuJoCo: unknown element 'rod_9' in equality constraint 0, "
+                     "named 'loop', line 32 of five_bar.xml; correct it there."});
+  EXPECT_EQ(refusal("childclass=\"rod\">\n        <joint name=\"elbow_1_joint\"",
+                    "childclass=\"arm\">\n        <joint name=\"elbow_1_joint\""),
+            Problems{"five_bar.xml is refused by MuJoCo: unknown default childclass, Element 'body', line 18 "
+                     "of five_bar.xml; correct it there."});
+  EXPECT_EQ(refusal("<connect name=\"loop\" site1=\"tool\" site2=\"closing\"/>", "<tendon tendon1=\"t\"/>"),
+            Problems{"five_bar.xml has <tendon> in line 32, which is no <connect>, <weld> or <joint>; leave "
+                     "it out, or set active=\"false\"."});
+  EXPECT_EQ(refusal("<light pos=\"0 0 20\"/>", "<replicate count=\"2\"><body/></replicate>"),
+            Problems{"five_bar.xml has <replicate> in line 13, which is not read; let MuJoCo write the file "
+                     "anew with what that stands for (mj_saveLastXML), and give that."});
   EXPECT_EQ(refusal("<light pos=\"0 0 20\"/>", "<include file=\"legs.xml\"/>"),
             Problems{"five_bar.xml includes 'legs.xml', which cannot be read; put that file there."});
-  EXPECT_EQ(
-      refusal("</worldbody>", ""),
-      Problems{"five_bar.xml is not well-formed XML near line 12 (XML_ERROR_MISMATCHED_ELEMENT); correct "
-               "it there."});
+  EXPECT_EQ(refusal("</worldbody>", ""), Problems{"five_bar.xml is not well-formed XML near line 12 "
+                                                  "(XML_ERROR_MISMATCHED_ELEMENT); correct it there."});
   const Problems circle =
       refusal("<option><flag contact=\"disable\"/></option>", "<include file=\"five_bar.xml\"/>");
   ASSERT_EQ(circle.size(), 1U);

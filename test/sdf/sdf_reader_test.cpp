@@ -80,17 +80,16 @@ TEST(SdfReader, RefusalsNameTheElement) {
 }
 
 TEST(SdfReader, SaysWhereModelsAreSearchedFor) {
-  EXPECT_EQ(
-      refusal("<link name=\"base_link\"/>",
-              "<link name=\"base_link\"/><include><uri>model://arm</uri></include>"),
-      Problems{"five_bar.sdf is refused by sdformat: Unable to find uri[model://arm] (line 6); put that "
-               "model beside the file, or name its folder in SDF_PATH."});
+  EXPECT_EQ(refusal("<link name=\"base_link\"/>",
+                    "<link name=\"base_link\"/><include><uri>model://arm</uri></include>"),
+            Problems{"five_bar.sdf is refused by sdformat: Unable to find uri[model://arm] (line 6); put "
+                     "that model beside the file, or name its folder in SDF_PATH."});
 }
 
 TEST(SdfReader, AsksForOneRobot) {
   const std::string model =
-      "<model name='a'><link name='l'/><link name='m'/><joint name='j' type='ball'>"
-      "<parent>l</parent><child>m</child></joint></model>";
+      "<model name='a'><link name='l'/><link name='m'/><joint name='j' "
+      "type='ball'><parent>l</parent><child>m</child></joint></model>";
   EXPECT_EQ(test::refusal_of_file("robot.sdf", "<sdf version='1.9'><world name='w'/></sdf>"),
             Problems{"robot.sdf has no model with joints; give the SDF of a robot."});
   EXPECT_EQ(test::refusal_of_file("robot.sdf", "<sdf version='1.9'><world name='w'>" + model +

@@ -2,11 +2,15 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_PATH_SAMPLES_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_PATH_SAMPLES_H
 
+#include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/motion/check_trajectory.h"
+#include "parallel_aspects/motion/plan_path.h"
 
 #include "support/configuration_at.h"
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -42,6 +46,21 @@ inline Pose mixed_pose(const Pose& from, const Pose& to, double share) {
 inline int side(const Manipulator& robot, const Pose& pose, const WorkingMode& mode) {
   const ConfigurationAt<long double> at(robot, pose, mode);
   return !at.reaches() ? 0 : at.parallel() > 0 ? 1 : -1;
+}
+
+inline const Aspect& random_aspect(const AspectMap& map, std::mt19937_64& random) {
+  return map.aspects()[random() % map.aspects().size()];
+}
+
+/// The middle of a random inside leaf.
+inline PathEnd random_path_end(const AspectMap& map, const Aspect& aspect, std::mt19937_64& random) {
+  PathEnd end;
+  end.mode = aspect.mode;
+  std::size_t wanted = random() % aspect.inside_leaves;
+  map.visit_inside_poses(aspect.id, [&](const Pose& pose, double) {
+    if (wanted-- == 0) end.pose = pose;
+  });
+  return end;
 }
 
 }  // namespace parallel_aspects::test

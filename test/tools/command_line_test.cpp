@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/texts.h"
 #include <string>
 #include <vector>
 
@@ -116,7 +117,7 @@ TEST_F(CommandLine, OutputIsTheLongFormOfO) {
   EXPECT_TRUE(parse_arguments(draw, {"--output", "a.svg"}));
   EXPECT_EQ(file, "a.svg");
   EXPECT_THROW(parse_arguments(draw, {"--output=a.svg", "-o", "b.svg"}), UsageError);
-  EXPECT_NE(help_of("aspects", draw).find("  -o, --output FILE  The picture\n"), std::string::npos);
+  EXPECT_TRUE(test::has(help_of("aspects", draw), "  -o, --output FILE  The picture\n"));
 }
 
 TEST_F(CommandLine, TwoDashesEndTheOptions) {

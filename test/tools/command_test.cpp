@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include "support/texts.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -32,12 +33,12 @@ TEST_F(Command, HelpGoesToTheOutput) {
            {"--help"}, {"map", "--help"}, {"describe", "--help"}, {"ik", "--help"}, {"fk", "--help"}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, exit_code::ok);
-    EXPECT_NE(outcome.output.find("Usage: aspects"), std::string::npos) << outcome.output;
+    EXPECT_TRUE(test::has(outcome.output, "Usage: aspects"));
     EXPECT_EQ(outcome.messages, "");
   }
 }
 
-TEST_F(Command, VersionIsPrinted) { EXPECT_EQ(run({"--version"}).output.rfind("aspects ", 0), 0U); }
+TEST_F(Command, VersionIsPrinted) { EXPECT_TRUE(test::begins(run({"--version"}).output, "aspects ")); }
 
 TEST_F(Command, MisunderstoodCommandLinesAreUsageErrors) {
   for (const auto& arguments : std::vector<std::vector<const char*>>{{},
@@ -111,9 +112,8 @@ TEST_F(Command, RefusesAMapThatIsNotThere) {
     const Outcome outcome = run(question);
     EXPECT_EQ(outcome.code, exit_code::bad_input);
     EXPECT_EQ(outcome.output, "");
-    EXPECT_NE(outcome.messages.find("which is no file; write one by `aspects map --save`, or leave out --"),
-              std::string::npos)
-        << outcome.messages;
+    EXPECT_TRUE(
+        test::has(outcome.messages, "which is no file; write one by `aspects map --save`, or leave out --"));
   }
 }
 
@@ -142,15 +142,15 @@ TEST_F(Command, LooseDistancesSayWhatAMapGives) {
     is_tighter = is_tighter || double{other["parallel"]["lower"]} > double{one["parallel"]["lower"]};
   }
   EXPECT_TRUE(is_tighter);
-  EXPECT_EQ(run(with_map).output.find("aspects map"), std::string::npos);
-  EXPECT_EQ(run({"distance", "five_bar", "--pose", "4.5 8"}).output.find("aspects map"), std::string::npos)
+  EXPECT_FALSE(test::has(run(with_map).output, "aspects map"));
+  EXPECT_FALSE(test::has(run({"distance", "five_bar", "--pose", "4.5 8"}).output, "aspects map"))
       << "tight as it is";
 }
 
 TEST_F(Command, DistancesAreATable) {
   const Outcome outcome = run({"distance", "bipod", "--pose", "2 4"});
   EXPECT_EQ(outcome.code, exit_code::ok);
-  EXPECT_NE(outcome.output.find("actuated joint limit, "), std::string::npos) << outcome.output;
+  EXPECT_TRUE(test::has(outcome.output, "actuated joint limit, "));
   EXPECT_EQ(run({"distance", "five_bar", "--pose", "4.5 8", "--boxes", "0"}).code, exit_code::bad_input);
   EXPECT_EQ(run({"distance", "five_bar", "--pose", "4.5 8", "--tolerance", "2"}).code, exit_code::bad_input);
   EXPECT_EQ(run({"distance", "five_bar", "--pose", "4.5 80"}).code, exit_code::ok);
@@ -165,20 +165,20 @@ TEST_F(Command, APoseAtASerialSingularityIsNotOutOfReach) {
   EXPECT_EQ(answer["serial"]["lower"], 0.0);
   EXPECT_EQ(answer["serial"]["leg"], "leg_1");
   EXPECT_TRUE(answer["joints"].is_array());
-  EXPECT_NE(run({"distance", "five_bar", "--pose", "13 0"}).output.find("touching"), std::string::npos);
+  EXPECT_TRUE(test::has(run({"distance", "five_bar", "--pose", "13 0"}).output, "touching"));
 }
 
 TEST_F(Command, PosesBeyondALimitSayByHowMuch) {
   const std::string answer = run({"ik", "bipod", "--pose", "0.4 1.9595917"}).output;
-  EXPECT_NE(answer.find("at 2 m, outside its limits [2, 6] by 9.2"), std::string::npos) << answer;
+  EXPECT_TRUE(test::has(answer, "at 2 m, outside its limits [2, 6] by 9.2"));
 }
 
 TEST_F(Command, UnknownRobotIsAnsweredWithTheKnownOnes) {
   const Outcome outcome = run({"describe", "fife_bar"});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
   EXPECT_EQ(outcome.output, "");
-  EXPECT_NE(outcome.messages.find("'fife_bar'"), std::string::npos);
-  EXPECT_NE(outcome.messages.find("five_bar"), std::string::npos);
+  EXPECT_TRUE(test::has(outcome.messages, "'fife_bar'"));
+  EXPECT_TRUE(test::has(outcome.messages, "five_bar"));
 }
 
 TEST_F(Command, EveryProblemIsALine) {
@@ -205,7 +205,7 @@ TEST_F(Command, ShareFolderWithoutRobotsIsRefused) {
   setenv("PARALLEL_ASPECTS_SHARE", "/no/such/folder", 1);
   const Outcome outcome = run({"robots"});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
-  EXPECT_NE(outcome.messages.find("/no/such/folder"), std::string::npos);
+  EXPECT_TRUE(test::has(outcome.messages, "/no/such/folder"));
 }
 
 TEST_F(Command, ShippedRobotsAreListed) {
@@ -253,11 +253,11 @@ TEST_F(Command, WritesOverNoFileThatItReads) {
            {"graph", urdf.c_str(), config.c_str(), "--save", urdf.c_str()}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, exit_code::bad_input) << arguments.front();
-    EXPECT_NE(outcome.messages.find("would be overwritten"), std::string::npos) << outcome.messages;
+    EXPECT_TRUE(test::has(outcome.messages, "would be overwritten"));
   }
   const Outcome other = run({"map", "five_bar", "--save", urdf.c_str()});
   EXPECT_EQ(other.code, exit_code::bad_input);
-  EXPECT_NE(other.messages.find("is there and is no map"), std::string::npos) << other.messages;
+  EXPECT_TRUE(test::has(other.messages, "is there and is no map"));
   std::stringstream kept;
   kept << std::ifstream(urdf).rdbuf();
   EXPECT_EQ(kept.str(), text);
@@ -265,31 +265,29 @@ TEST_F(Command, WritesOverNoFileThatItReads) {
 
 TEST_F(Command, DescriptionsSayWhereThePosesAre) {
   const std::string text = run({"describe", "five_bar"}).output;
-  EXPECT_NE(text.find("poses are given in the task frame, which is the frame of base_link\n"),
-            std::string::npos);
-  EXPECT_NE(text.find("workspace: x from -3."), std::string::npos) << text;
+  EXPECT_TRUE(test::has(text, "poses are given in the task frame, which is the frame of base_link\n"));
+  EXPECT_TRUE(test::has(text, "workspace: x from -3."));
   for (const char* robot : {"five_bar", "three_rpr", "delta", "agile_eye", "stewart"}) {
     const std::string description = run({"describe", robot}).output;
     const std::size_t start = description.find("--pose \"");
     ASSERT_NE(start, std::string::npos) << description;
     const std::string pose = description.substr(start + 8, description.find('"', start + 8) - start - 8);
     const Outcome outcome = run({"ik", robot, "--pose", pose.c_str()});
-    EXPECT_NE(outcome.output.find("solved"), std::string::npos)
-        << robot << outcome.output << outcome.messages;
+    EXPECT_TRUE(test::has(outcome.output, "solved")) << robot << outcome.output << outcome.messages;
   }
 }
 
 TEST_F(Command, LinksOnASphereAreAngles) {
   const std::string eye = run({"describe", "agile_eye"}).output;
-  EXPECT_NE(eye.find("90 deg (1.5708 rad)"), std::string::npos) << eye;
-  EXPECT_EQ(eye.find("[m]"), std::string::npos) << eye;
+  EXPECT_TRUE(test::has(eye, "90 deg (1.5708 rad)"));
+  EXPECT_FALSE(test::has(eye, "[m]"));
   const std::string links = run({"describe", "spherical_3rrr"}).output;
-  EXPECT_NE(links.find("70 deg (1.22173 rad)  80 deg (1.39626 rad)"), std::string::npos) << links;
+  EXPECT_TRUE(test::has(links, "70 deg (1.22173 rad)  80 deg (1.39626 rad)"));
   const std::string solved = run({"ik", "agile_eye", "--pose", "0 0 0 1"}).output;
-  EXPECT_NE(solved.find("det A  smallest"), std::string::npos) << solved;
+  EXPECT_TRUE(test::has(solved, "det A  smallest"));
   const std::string distances = run({"distance", "agile_eye", "--pose", "0 0 0 1"}).output;
-  EXPECT_NE(distances.find("deg ("), std::string::npos) << distances;
-  EXPECT_EQ(distances.find("[m]"), std::string::npos) << distances;
+  EXPECT_TRUE(test::has(distances, "deg ("));
+  EXPECT_FALSE(test::has(distances, "[m]"));
 }
 
 TEST_F(Command, DescribesTheFiveBarOfThePaper) {
@@ -326,7 +324,7 @@ TEST_F(Command, InverseSaysWhyALegCannotReach) {
     const json answer = run_json({"ik", "five_bar", "--pose", pose});
     for (const json& solution : answer.at("solutions")) {
       EXPECT_EQ(solution.at("status"), "out of reach");
-      EXPECT_NE(solution.at("reason").get<std::string>().find("cannot reach"), std::string::npos);
+      EXPECT_TRUE(test::has(solution.at("reason").get<std::string>(), "cannot reach"));
     }
   }
 }
@@ -363,8 +361,7 @@ TEST_F(Command, DirectDistinguishesTheTrivialSolutionsOfTheAgileEye) {
   }
   EXPECT_EQ(trivial, 4);
   const Outcome outcome = run({"fk", "agile_eye", "--joints", "0.3 0.2 -0.4"});
-  EXPECT_NE(outcome.output.find("8 assembly modes, 4 of them at a serial singularity"), std::string::npos)
-      << outcome.output;
+  EXPECT_TRUE(test::has(outcome.output, "8 assembly modes, 4 of them at a serial singularity"));
 }
 
 TEST_F(Command, InverseReportsPassiveLimits) {
@@ -377,7 +374,7 @@ TEST_F(Command, EmptyValuesAreRefused) {
   for (const char* option : {"--mode", "--resolution", "--slice", "--save", "--constraint"}) {
     const Outcome outcome = run({"map", "five_bar", option, ""});
     EXPECT_EQ(outcome.code, exit_code::bad_usage) << option;
-    EXPECT_NE(outcome.messages.find(std::string(option) + ": it is empty"), std::string::npos);
+    EXPECT_TRUE(test::has(outcome.messages, std::string(option) + ": it is empty"));
   }
 }
 
@@ -434,8 +431,7 @@ class DescribedWith {
 TEST_F(Command, DescribeRefusesWhatMapRefuses) {
   const Outcome outcome = DescribedWith("map: {resolution: 0}\n")();
   EXPECT_EQ(outcome.code, exit_code::bad_input);
-  EXPECT_NE(outcome.messages.find("map.resolution that is not positive"), std::string::npos)
-      << outcome.messages;
+  EXPECT_TRUE(test::has(outcome.messages, "map.resolution that is not positive"));
   EXPECT_NE(DescribedWith("map: {region: {lower: [0], upper: [1]}}\n")().code, exit_code::ok);
   EXPECT_EQ(DescribedWith("map: {resolution: 0.5}\n")().code, exit_code::ok);
 }
@@ -444,11 +440,10 @@ TEST_F(Command, DescribeCountsManyCones) {
   std::string cones = "constraints:\n  cones:\n";
   for (int k = 0; k < 200; ++k) cones += "    - {leg: 1, end: base, axis: [1, 0], angle: 1.0}\n";
   const DescribedWith described(cones);
-  EXPECT_NE(
-      described().output.find(
-          "cones: the rod of leg_1 is at most 1 rad from 200 axes of the crank; --verbose lists them\n"),
-      std::string::npos);
-  EXPECT_EQ(described().output.find("cone: the rod"), std::string::npos);
+  EXPECT_TRUE(test::has(
+      described().output,
+      "cones: the rod of leg_1 is at most 1 rad from 200 axes of the crank; --verbose lists them\n"));
+  EXPECT_FALSE(test::has(described().output, "cone: the rod"));
   EXPECT_GE(line_count(described({"--verbose"}).output), 200U);
 }
 
@@ -458,11 +453,9 @@ TEST_F(Command, DescribeHasConesOfSeveralAnglesInOneLine) {
       "constraints:\n  cones:\n    - {leg: 1, end: base, axis: [1, 0], angle: 1.0}\n"
       "    - {leg: 2, end: base, axis: [1, 0], angle: 1.5}\n    - {leg: 2, end: base, axis: [0, 1], angle: "
       "1.2}\n");
-  EXPECT_NE(
-      described().output.find("cones: the rods of leg_1, leg_2 are at most 1 to 1.5 rad from 3 axes of the "
-                              "crank; --verbose lists them\n"),
-      std::string::npos)
-      << described().output;
+  EXPECT_TRUE(test::has(described().output,
+                        "cones: the rods of leg_1, leg_2 are at most 1 to 1.5 rad from 3 axes of the crank; "
+                        "--verbose lists them\n"));
 }
 
 }  // namespace

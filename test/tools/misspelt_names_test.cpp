@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/command_run.h"
+#include "support/texts.h"
 #include <string>
 #include <vector>
 
@@ -36,7 +37,7 @@ TEST_F(MisspeltNames, AreAnsweredWithTheOneThatIsMeant) {
       {{"decsribe", "five_bar"}, "'decsribe': there is no such subcommand; did you mean describe?"}};
   for (const Misspelt& each : all) {
     const Outcome outcome = run(each.arguments);
-    EXPECT_EQ(outcome.messages.rfind(each.begin, 0), 0U) << outcome.messages;
+    EXPECT_TRUE(test::begins(outcome.messages, each.begin));
     EXPECT_NE(outcome.code, exit_code::ok);
   }
 }

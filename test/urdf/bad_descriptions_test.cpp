@@ -70,8 +70,7 @@ TEST(BadDescriptions, AreReportedAllAtOnce) {
       "'operational_point', 'actuated_joints', 'task_space', 'symmetrize', 'tolerance', 'closures', "
       "'added_closures'.",
       "robot.yaml does not say mechanism.operational_point; name the link whose origin is the operational "
-      "point of the "
-      "platform.",
+      "point of the platform.",
       "robot.urdf has a <robot> without a name; write <robot name=\"...\">.",
       "robot.urdf has no links; give a URDF with the links and joints of the robot."};
   EXPECT_EQ(problems, expected);

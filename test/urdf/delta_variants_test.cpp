@@ -99,12 +99,10 @@ TEST(DeltaVariant, HasATiltedAxisInAParallelogram) {
   delta.urdf = test::replaced(delta.urdf, right + " 0", right + ".04 0");
   const Problems problems = test::refusal(delta.urdf, config(delta.closures));
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(
-      problems[0],
-      "robot.urdf lets joint 'right_2' turn about (0.999200958722, 0.0399680383489, 0), where that of other "
-      "legs turns about (1, 0, 0); write <axis xyz=\"1 0 0\"/> for joint 'right_2', which makes it a robot "
-      "in "
-      "T3.");
+  EXPECT_EQ(problems[0],
+            "robot.urdf lets joint 'right_2' turn about (0.999200958722, 0.0399680383489, 0), where that of "
+            "other legs turns about (1, 0, 0); write <axis xyz=\"1 0 0\"/> for joint 'right_2', which makes "
+            "it a robot in T3.");
 }
 
 TEST(DeltaVariant, LeavesTheTypesOfItsClosuresOpen) {
@@ -114,11 +112,10 @@ TEST(DeltaVariant, LeavesTheTypesOfItsClosuresOpen) {
   const auto mechanism = test::load(delta.urdf, config(test::replaced(open, "auto_", "point_")));
   expect_delta(*mechanism);
   ASSERT_EQ(mechanism->notes().size(), 1u);
-  EXPECT_EQ(
-      mechanism->notes().front(),
-      "robot.yaml leaves the type of closures open; they are taken as point ('right_tip_1 - right_end_1', "
-      "'right_tip_2 - right_end_2', 'right_tip_3 - right_end_3') and revolute ('middle_2 - point_2', "
-      "'middle_3 - point_3'), under which the mobility is the number of actuated joints.");
+  EXPECT_EQ(mechanism->notes().front(),
+            "robot.yaml leaves the type of closures open; they are taken as point ('right_tip_1 - "
+            "right_end_1', 'right_tip_2 - right_end_2', 'right_tip_3 - right_end_3') and revolute ('middle_2 "
+            "- point_2', 'middle_3 - point_3'), under which the mobility is the number of actuated joints.");
 }
 
 // A single rod between two universal joints whose axes are parallel in pairs.
@@ -156,9 +153,9 @@ TEST(DeltaVariant, IsATripodWhoseStrutsMeetInAPoint) {
             joint("crank_" + leg, "prismatic", "tube_" + leg, "tip_" + leg, "", "0 0 1");
   }
   urdf += frame("platform", "tip_1", "");
-  const auto mechanism =
-      test::load(urdf + "</robot>", config("{frames: [platform, tip_2], type: spherical}, {frames: "
-                                           "[tip_1, tip_3], type: spherical}"));
+  const auto mechanism = test::load(
+      urdf + "</robot>",
+      config("{frames: [platform, tip_2], type: spherical}, {frames: [tip_1, tip_3], type: spherical}"));
   EXPECT_EQ(mechanism->manipulator()->task_space(), TaskSpace::T3);
   for (const Leg& leg : mechanism->manipulator()->legs()) {
     EXPECT_NEAR(std::get<StrutActuation>(leg.actuation).base.norm(), 1.0, 1e-9);

@@ -49,8 +49,8 @@ TEST(EnormousYaml, OfAliasesThatMultiply) {
               repeated("*a" + std::to_string(level - 1) + ", ", 10) + "]\n";
   const std::string problems = problems_of(five_bar_with_config(config + "mechanism: {closures: *a8}\n"));
   EXPECT_TRUE(says(problems,
-                   "cannot be read as YAML at line 6: more than 200000 characters are said, each "
-                   "alias counted as what it stands for; correct it there."))
+                   "cannot be read as YAML at line 6: more than 200000 characters are said, each alias "
+                   "counted as what it stands for; correct it there."))
       << problems.substr(0, 300);
 }
 
@@ -83,7 +83,7 @@ TEST(EnormousYaml, OfACommaAfterADocument) {
 TEST(EnormousMechanism, OfManyClosures) {
   test::Description five_bar = test::shipped_text("five_bar");
   const std::string closure = "- {frames: [tool, closing_2], type: revolute}";
-  five_bar.config = test::replaced(five_bar.config, closure, repeated(closure + "\n    ", 1000));
+  five_bar.change_config(closure, repeated(closure + "\n    ", 1000));
   const std::string problems = problems_of(five_bar);
   EXPECT_TRUE(says(problems, "describe 1000 closures, and at most 36 are treated")) << problems;
 }
@@ -97,7 +97,7 @@ TEST(EnormousMechanism, OfManyJointsInALoop) {
     parent = child;
   }
   test::Description five_bar = five_bar_with(chain);
-  five_bar.config = test::replaced(five_bar.config, "[tool, closing_2]", "[" + parent + ", closing_2]");
+  five_bar.change_config("[tool, closing_2]", "[" + parent + ", closing_2]");
   const std::string problems = problems_of(five_bar);
   EXPECT_TRUE(says(problems, "movable joints in its loops, and at most 120 are treated")) << problems;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/descriptions.h"
+#include "support/texts.h"
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -12,7 +13,6 @@ namespace parallel_aspects {
 namespace {
 
 using test::Description;
-using test::fixed_joint;
 using test::moving_joint;
 using test::replaced;
 using test::shipped_text;
@@ -22,26 +22,23 @@ Description faulty(const std::string& name) {
           test::source_file("test/data/faulty/" + name + ".yaml")};
 }
 
-Problems refusal(const Description& description) {
-  return test::refusal(description.urdf, description.config);
-}
+using test::refusal;
 
 TEST(Diagnosis, IsAFourBar) {
   const std::string start = "robot.urdf is a linkage of one degree of freedom, as a four-bar, and its ";
   const std::string end =
       " is on neither; of those only a platform on a slide (T1) or on a hinge (R1) of the base, which one "
-      "leg "
-      "moves, is treated.";
+      "leg moves, is treated.";
   for (const std::string link : {"coupler", "tip"}) {
     Description four_bar = faulty("four_bar");
-    four_bar.config = replaced(four_bar.config, "point: coupler", "point: " + link);
+    four_bar.change_config("point: coupler", "point: " + link);
     EXPECT_EQ(refusal(four_bar), Problems{start + "operational_point '" + link + "'" + end});
-    four_bar.config = replaced(four_bar.config, "[crank_joint]", "[crank_joint, rocker_joint]");
+    four_bar.change_config("[crank_joint]", "[crank_joint, rocker_joint]");
     EXPECT_EQ(refusal(four_bar), Problems{start + "operational_point '" + link + "'" + end});
   }
   for (const std::string link : {"rocker", "rocker_tip"}) {
     Description four_bar = faulty("four_bar");
-    four_bar.config = replaced(four_bar.config, "point: coupler", "point: " + link);
+    four_bar.change_config("point: coupler", "point: " + link);
     EXPECT_EQ(test::load(four_bar)->manipulator()->task_space(), TaskSpace::R1) << link;
   }
 }
@@ -49,18 +46,16 @@ TEST(Diagnosis, IsAFourBar) {
 // Two legs of a five-bar hold a platform that can only slide; one alone would be a robot in T1.
 TEST(Diagnosis, IsASliderThatTwoLegsHold) {
   Description robot = faulty("held_slider");
-  EXPECT_EQ(
-      refusal(robot),
-      Problems{
-          "robot.urdf joins the platform to the base by the chain of 'h0', without actuated joint, "
-          "which lets it move in 1 way only, while 2 joints are actuated; give the chain the joints that "
-          "it lacks, or hang the platform on a leg."});
-  robot.config = replaced(robot.config, "[q1, q3]", "[q1]");
-  EXPECT_EQ(refusal(robot), Problems{"robot.urdf is a linkage of one degree of freedom, whose "
-                                     "operational_point 'stage' moves on slide 'h0' and is held by several "
-                                     "legs; of those only a platform on a slide (T1) or on a hinge (R1) of "
-                                     "the base, which one leg moves, is treated."});
-  robot.config = replaced(robot.config, ", {type: revolute, frames: [stage, rodB_end]}", "");
+  test::expect_refusal(robot,
+                       "robot.urdf joins the platform to the base by the chain of 'h0', without actuated "
+                       "joint, which lets it move in 1 way only, while 2 joints are actuated; give the chain "
+                       "the joints that it lacks, or hang the platform on a leg.");
+  robot.change_config("[q1, q3]", "[q1]");
+  test::expect_refusal(robot,
+                       "robot.urdf is a linkage of one degree of freedom, whose operational_point 'stage' "
+                       "moves on slide 'h0' and is held by several legs; of those only a platform on a slide "
+                       "(T1) or on a hinge (R1) of the base, which one leg moves, is treated.");
+  robot.change_config(", {type: revolute, frames: [stage, rodB_end]}", "");
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::T1);
 }
 
@@ -94,30 +89,29 @@ TEST(Diagnosis, MayBeALinkThatTwoClosuresHold) {
 // All four sides of a parallelogram move along circles, but for a moment along lines.
 TEST(Diagnosis, IsAParallelogram) {
   Description four_bar = faulty("four_bar");
-  four_bar.urdf = replaced(four_bar.urdf, "xyz=\"3.5 0 0\"", "xyz=\"3 0 0\"");
-  four_bar.urdf = replaced(four_bar.urdf, "xyz=\"2 0 0\"", "xyz=\"1 0 0\"");
+  four_bar.change_urdf("xyz=\"3.5 0 0\"", "xyz=\"3 0 0\"");
+  four_bar.change_urdf("xyz=\"2 0 0\"", "xyz=\"1 0 0\"");
   const Problems problems = refusal(four_bar);
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(problems[0].rfind("robot.urdf is a linkage of one degree of freedom, as a four-bar", 0), 0U)
-      << problems[0];
+  EXPECT_TRUE(test::begins(problems[0], "robot.urdf is a linkage of one degree of freedom, as a four-bar"));
 }
 
 // A crank on a slide is one, and its slider is a platform.
 TEST(Diagnosis, IsTheOperationalPointOfASliderCrank) {
   Description slider = faulty("slider_crank");
-  EXPECT_EQ(refusal(slider),
-            Problems{"robot.yaml has operational_point 'rod', but the legs of robot.urdf meet in link "
-                     "'slider'; write operational_point: slider, which makes it a robot in T1."});
-  slider.config = replaced(slider.config, "operational_point: rod", "operational_point: slider");
+  test::expect_refusal(slider,
+                       "robot.yaml has operational_point 'rod', but the legs of robot.urdf meet in link "
+                       "'slider'; write operational_point: slider, which makes it a robot in T1.");
+  slider.change_config("operational_point: rod", "operational_point: slider");
   EXPECT_EQ(test::load(slider)->manipulator()->task_space(), TaskSpace::T1);
 }
 
 TEST(Diagnosis, IsAnOperationalPointBesideTheJointsOfAHub) {
   Description robot = faulty("hub");
-  EXPECT_EQ(refusal(robot), Problems{"robot.yaml has operational_point 'camera', but the legs of robot.urdf "
-                                     "meet in link 'hub'; write operational_point: hub, which makes it a "
-                                     "robot in T2."});
-  robot.config = replaced(robot.config, "operational_point: camera", "operational_point: hub");
+  test::expect_refusal(robot,
+                       "robot.yaml has operational_point 'camera', but the legs of robot.urdf meet in link "
+                       "'hub'; write operational_point: hub, which makes it a robot in T2.");
+  robot.change_config("operational_point: camera", "operational_point: hub");
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::T2);
 }
 
@@ -127,81 +121,77 @@ TEST(Diagnosis, IsNotABoomThatAPistonTurns) {
 }
 
 TEST(Diagnosis, IsASerialArm) {
-  EXPECT_EQ(refusal(faulty("serial_arm")),
-            Problems{"robot.urdf is a serial arm, one chain of 3 joints from link 'base' to link 'c' without "
-                     "a loop; there is nothing to close, and only parallel robots are treated."});
+  test::expect_refusal(faulty("serial_arm"),
+                       "robot.urdf is a serial arm, one chain of 3 joints from link 'base' to link 'c' "
+                       "without a loop; there is nothing to close, and only parallel robots are treated.");
 }
 
 // A parallel robot is an open tree, too, until its loops are described.
 TEST(Diagnosis, IsNoSerialArmWhereLoopsAreNotDescribed) {
   Description robot = shipped_text("five_bar");
-  robot.config =
-      replaced(robot.config, "  closures:\n    - {frames: [tool, closing_2], type: revolute}\n", "");
-  EXPECT_EQ(refusal(robot), Problems{"robot.yaml has no mechanism.closures, and robot.urdf is an open tree "
-                                     "without them; list the frames that each loop holds together."});
+  robot.change_config("  closures:\n    - {frames: [tool, closing_2], type: revolute}\n", "");
+  test::expect_refusal(robot,
+                       "robot.yaml has no mechanism.closures, and robot.urdf is an open tree without them; "
+                       "list the frames that each loop holds together.");
 }
 
 // On a turntable, whose joint is actuated like the others.
 Description on_turntable(Description robot, const std::string& base) {
-  robot.urdf =
-      replaced(robot.urdf, "</robot>",
-               "<link name=\"ground\"/>" + moving_joint("turn", "ground", base, "0 0 1") + "</robot>");
-  robot.config = replaced(robot.config, "  base_link: " + base + "\n", "");
+  robot.change_urdf("</robot>",
+                    "<link name=\"ground\"/>" + moving_joint("turn", "ground", base, "0 0 1") + "</robot>");
+  robot.change_config("  base_link: " + base + "\n", "");
   return robot;
 }
 
 TEST(Diagnosis, IsATurntableBelowTheLoops) {
   Description robot = on_turntable(shipped_text("delta"), "base_link");
-  EXPECT_EQ(refusal(robot), Problems{"robot.yaml has base_link 'ground', but joint 'turn' moves all loops of "
-                                     "robot.urdf; write base_link: base_link."});
+  test::expect_refusal(robot,
+                       "robot.yaml has base_link 'ground', but joint 'turn' moves all loops of robot.urdf; "
+                       "write base_link: base_link.");
   Description actuated = robot;
   actuated.config = replaced(robot.config, "[crank_1_joint, crank_2_joint, crank_3_joint]",
                              "[crank_1_joint, crank_2_joint, turn]");
-  EXPECT_EQ(
-      refusal(actuated),
-      Problems{"robot.yaml has base_link 'ground', but joint 'turn' moves all loops of robot.urdf; write "
-               "base_link: base_link and actuated_joints: [crank_1_joint, crank_2_joint]; then robot.yaml "
-               "does not "
-               "list joint 'crank_3_joint' in actuated_joints; write actuated_joints: [crank_1_joint, "
-               "crank_2_joint, crank_3_joint], which makes it a robot in T3."});
-  robot.config = replaced(robot.config, "mechanism:\n", "mechanism:\n  base_link: base_link\n");
+  test::expect_refusal(
+      actuated,
+      "robot.yaml has base_link 'ground', but joint 'turn' moves all loops of robot.urdf; write base_link: "
+      "base_link and actuated_joints: [crank_1_joint, crank_2_joint]; then robot.yaml does not list joint "
+      "'crank_3_joint' in actuated_joints; write actuated_joints: [crank_1_joint, crank_2_joint, "
+      "crank_3_joint], which makes it a robot in T3.");
+  robot.change_config("mechanism:\n", "mechanism:\n  base_link: base_link\n");
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::T3);
 }
 
 TEST(Diagnosis, IsAWristAfterThePlatform) {
   Description robot = shipped_text("three_rrr");
-  robot.urdf = replaced(
-      robot.urdf, "</robot>",
-      "<link name=\"gripper\"/>" + moving_joint("wrist", "platform", "gripper", "0 0 1") + "</robot>");
-  robot.config = replaced(robot.config, "operational_point: platform", "operational_point: gripper");
-  EXPECT_EQ(refusal(robot), Problems{"robot.yaml has operational_point 'gripper', which joint 'wrist' moves "
-                                     "against all loops of robot.urdf; write operational_point: platform."});
+  robot.change_urdf("</robot>", "<link name=\"gripper\"/>" +
+                                    moving_joint("wrist", "platform", "gripper", "0 0 1") + "</robot>");
+  robot.change_config("operational_point: platform", "operational_point: gripper");
+  test::expect_refusal(robot,
+                       "robot.yaml has operational_point 'gripper', which joint 'wrist' moves against all "
+                       "loops of robot.urdf; write operational_point: platform.");
 }
 
 TEST(Diagnosis, IsAnActuatedJointOutsideOfTheLoops) {
   Description robot = shipped_text("three_rrr");
-  robot.urdf =
-      replaced(robot.urdf, "</robot>",
-               "<link name=\"fan\"/>" + moving_joint("fan_joint", "base_link", "fan", "0 0 1") + "</robot>");
-  robot.config = replaced(robot.config, "crank_3_joint]", "fan_joint]");
-  EXPECT_EQ(
-      refusal(robot),
-      Problems{"robot.yaml actuates joint 'fan_joint', which is in no loop of robot.urdf; write "
-               "actuated_joints: [crank_1_joint, crank_2_joint]; then robot.yaml does not list joint "
-               "'crank_3_joint' in actuated_joints; write actuated_joints: [crank_1_joint, crank_2_joint, "
-               "crank_3_joint], which makes it a robot in SE2."});
+  robot.change_urdf("</robot>", "<link name=\"fan\"/>" +
+                                    moving_joint("fan_joint", "base_link", "fan", "0 0 1") + "</robot>");
+  robot.change_config("crank_3_joint]", "fan_joint]");
+  test::expect_refusal(robot,
+                       "robot.yaml actuates joint 'fan_joint', which is in no loop of robot.urdf; write "
+                       "actuated_joints: [crank_1_joint, crank_2_joint]; then robot.yaml does not list joint "
+                       "'crank_3_joint' in actuated_joints; write actuated_joints: [crank_1_joint, "
+                       "crank_2_joint, crank_3_joint], which makes it a robot in SE2.");
 }
 
 // The axis of one joint of a robot in the plane.
 TEST(Diagnosis, IsATiltedAxis) {
   Description robot = shipped_text("five_bar");
   const std::string elbow = "<child link=\"rod_2\"/>\n    <origin xyz=\"5 0 0\"/>\n    ";
-  robot.urdf = replaced(robot.urdf, elbow + "<axis xyz=\"0 0 1\"/>", elbow + "<axis xyz=\"0.05 0 1\"/>");
-  EXPECT_EQ(
-      refusal(robot),
-      Problems{"robot.urdf turns the axis of joint 'elbow_2_joint' 0.05 rad away from the direction that "
-               "the axes of the other joints share, so that the loops hold too much; write <axis "
-               "xyz=\"0 0 1\"/> for joint 'elbow_2_joint', which makes it a robot in T2."});
+  robot.change_urdf(elbow + "<axis xyz=\"0 0 1\"/>", elbow + "<axis xyz=\"0.05 0 1\"/>");
+  test::expect_refusal(robot,
+                       "robot.urdf turns the axis of joint 'elbow_2_joint' 0.05 rad away from the direction "
+                       "that the axes of the other joints share, so that the loops hold too much; write "
+                       "<axis xyz=\"0 0 1\"/> for joint 'elbow_2_joint', which makes it a robot in T2.");
 }
 
 // A frame that is turned takes all with it that hangs on it.
@@ -211,28 +201,22 @@ TEST(Diagnosis, IsATiltedFrame) {
   ASSERT_NE(at, std::string::npos);
   const std::size_t origin = robot.urdf.find("/>", robot.urdf.find("<origin", at));
   robot.urdf.insert(origin, " rpy=\"0.04 0 0\"");
-  const Problems problems = refusal(robot);
-  ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(problems[0],
-            "robot.urdf turns the origin of joint 'elbow_1_joint' by rpy (0.04, 0, 0), where that of other "
-            "legs has "
-            "(0, 0, 0); write rpy=\"0 0 0\" in the origin of joint 'elbow_1_joint', which makes it a robot "
-            "in SE2.");
-  robot.urdf = replaced(robot.urdf, " rpy=\"0.04 0 0\"", " rpy=\"0 0 0\"");
+  test::expect_refusal(robot,
+                       "robot.urdf turns the origin of joint 'elbow_1_joint' by rpy (0.04, 0, 0), where that "
+                       "of other legs has (0, 0, 0); write rpy=\"0 0 0\" in the origin of joint "
+                       "'elbow_1_joint', which makes it a robot in SE2.");
+  robot.change_urdf(" rpy=\"0.04 0 0\"", " rpy=\"0 0 0\"");
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::SE2);
 }
 
 TEST(Diagnosis, IsAnAxisThatMissesTheCentre) {
   Description robot = shipped_text("spherical_3rrr");
   const std::string elbow = "<child link=\"rod_1\"/>\n    <origin xyz=\"";
-  robot.urdf = replaced(robot.urdf, elbow + "0 0 0\"", elbow + "0.02 0 0\"");
-  const Problems problems = refusal(robot);
-  ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(
-      problems[0],
-      "robot.urdf puts the origin of joint 'elbow_1_joint' at (0.02, 0, 0) m, where that of other legs has "
-      "(0, 0, 0) m; write xyz=\"0 0 0\" in the origin of joint 'elbow_1_joint', which makes it a robot in "
-      "SO3.");
+  robot.change_urdf(elbow + "0 0 0\"", elbow + "0.02 0 0\"");
+  test::expect_refusal(robot,
+                       "robot.urdf puts the origin of joint 'elbow_1_joint' at (0.02, 0, 0) m, where that of "
+                       "other legs has (0, 0, 0) m; write xyz=\"0 0 0\" in the origin of joint "
+                       "'elbow_1_joint', which makes it a robot in SO3.");
 }
 
 // Zero is stretched, and a limit of the elbows.
@@ -242,9 +226,8 @@ TEST(Assembly, IsNotTakenStretchedAtALimit) {
                                      "lower=\"-0.001\" upper=\"2.9\"", "lower=\"0\" upper=\"0.8\""}) {
       Description description = shipped_text(robot);
       for (const std::string joint : {"elbow_1_joint", "elbow_2_joint"})
-        description.urdf =
-            replaced(description.urdf, "<joint name=\"" + joint + "\" type=\"continuous\">",
-                     "<joint name=\"" + joint + "\" type=\"revolute\"><limit " + limits + "/>");
+        description.change_urdf("<joint name=\"" + joint + "\" type=\"continuous\">",
+                                "<joint name=\"" + joint + "\" type=\"revolute\"><limit " + limits + "/>");
       const auto mechanism = test::load(description);
       const AssembledConfiguration at = mechanism->assembled();
       Eigen::VectorXd joints(static_cast<Eigen::Index>(mechanism->joint_names().size()));
@@ -263,14 +246,13 @@ TEST(Assembly, IsNotTakenStretchedAtALimit) {
 TEST(Diagnosis, IsAnActuatedJointThatIsLocked) {
   Description robot = shipped_text("five_bar");
   const std::string joint = "<joint name=\"crank_1_joint\" type=\"";
-  robot.urdf =
-      replaced(robot.urdf, joint + "continuous\">", joint + "revolute\"><limit lower=\"1\" upper=\"1\"/>");
+  robot.change_urdf(joint + "continuous\">", joint + "revolute\"><limit lower=\"1\" upper=\"1\"/>");
   const auto notes = test::load(robot)->notes();
-  EXPECT_EQ(std::count(notes.begin(), notes.end(),
-                       "robot.urdf lets actuated joint 'crank_1_joint' move by only 0 rad, which leaves next "
-                       "to nothing for a map; widen its limits, or fix the joint and take it out of "
-                       "actuated_joints."),
-            1);
+  EXPECT_EQ(
+      std::count(notes.begin(), notes.end(),
+                 "robot.urdf lets actuated joint 'crank_1_joint' move by only 0 rad, which leaves next to "
+                 "nothing for a map; widen its limits, or fix the joint and take it out of actuated_joints."),
+      1);
 }
 
 struct Range {
@@ -326,18 +308,15 @@ TEST(Assembly, IsSaidToBeImpossibleWhereItIs) {
       symmetric_five_bar({{"1.5708", "4.7124"}, {"0", "1.5708"}, {"0", "2.6"}, {"0", "2.6"}});
   const Problems problems = refusal(robot);
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(problems[0].rfind("robot.urdf cannot be closed as robot.yaml asks: the frames of closure 'tool - "
-                              "right_end' come no nearer than ",
-                              0),
-            0U)
-      << problems[0];
+  EXPECT_TRUE(test::begins(problems[0],
+                           "robot.urdf cannot be closed as robot.yaml asks: the frames of closure 'tool - "
+                           "right_end' come no nearer than "));
 }
 
 TEST(Assembly, IsFoundOfASliderInLineWithItsCrank) {
   for (const char* beside : {"0 0 0", "0 0.0001 0", "0 0.01 0"}) {
     Description slider = faulty("in_line_slider");
-    slider.urdf =
-        replaced(slider.urdf, "<origin xyz=\"0 0 0\"/>", std::string("<origin xyz=\"") + beside + "\"/>");
+    slider.change_urdf("<origin xyz=\"0 0 0\"/>", std::string("<origin xyz=\"") + beside + "\"/>");
     const auto mechanism = test::load(slider);
     EXPECT_EQ(mechanism->manipulator()->task_space(), TaskSpace::T1) << beside;
     EXPECT_LT(mechanism->assembled().pose.position.x(), 0.55) << beside;  // stretched at 0.6
@@ -354,26 +333,25 @@ TEST(Diagnosis, IsARevoluteClosureWhereBallsFit) {
   for (const char* joint : {"crank_1_joint", "elbow_1_joint", "crank_2_joint", "elbow_2_joint"})
     drives +=
         std::string("<transmission name=\"of_") + joint + "\"><joint name=\"" + joint + "\"/></transmission>";
-  robot.urdf = replaced(robot.urdf, "</robot>", drives + "</robot>");
-  EXPECT_EQ(refusal(robot),
-            Problems{"robot.yaml closes loops of robot.urdf by types that leave it one degree of freedom, as "
-                     "their axes are not along those of its joints; write type: point for 'tool - "
-                     "closing_2', which leaves it 2."});
-  robot.config = replaced(robot.config, "type: revolute", "type: point");
+  robot.change_urdf("</robot>", drives + "</robot>");
+  test::expect_refusal(
+      robot,
+      "robot.yaml closes loops of robot.urdf by types that leave it one degree of freedom, as their axes are "
+      "not along those of its joints; write type: point for 'tool - closing_2', which leaves it 2.");
+  robot.change_config("type: revolute", "type: point");
   const Problems next = refusal(robot);
   ASSERT_EQ(next.size(), 1U);
-  EXPECT_NE(next[0].find("the mobility fits [crank_1_joint, crank_2_joint] and"), std::string::npos)
-      << next[0];
+  EXPECT_TRUE(test::has(next[0], "the mobility fits [crank_1_joint, crank_2_joint] and"));
 }
 
 // Whatever ends are exchanged, that is no mistake of the description.
 TEST(Diagnosis, IsAPlatformThatNoPoseHolds) {
-  EXPECT_EQ(
-      refusal(faulty("singular_hexapod")),
-      Problems{"robot.urdf is assembled, but singular in every pose: det A is zero to rounding in all 12 "
-               "random poses that were tried, so that its actuated joints never hold operational_point "
-               "'plate'; change the places of the joints on base or platform, which are, for instance, "
-               "two similar hexagons joined corner to corner, or struts that stay parallel."});
+  test::expect_refusal(
+      faulty("singular_hexapod"),
+      "robot.urdf is assembled, but singular in every pose: det A is zero to rounding in all 12 random poses "
+      "that were tried, so that its actuated joints never hold operational_point 'plate'; change the places "
+      "of the joints on base or platform, which are, for instance, two similar hexagons joined corner to "
+      "corner, or struts that stay parallel.");
 }
 
 // Of the closures with an axis in the frame of the model.
@@ -387,24 +365,24 @@ std::string with_axes_of_links(std::string urdf, const std::vector<std::string>&
 // A mistake in one leg is made in every leg, and in none that has no such closure.
 TEST(Diagnosis, IsTheFrameOfTheAxesOfLikeClosures) {
   Description robot = faulty("upright_three_rrr");
-  EXPECT_EQ(refusal(robot),
-            Problems{"robot.urdf states axes for 'wrist_2', 'wrist_3' about which their links do not turn; "
-                     "write <axis><xyz expressed_in=\"lower_2\">0 0 1</xyz></axis> for 'wrist_2', <axis><xyz "
-                     "expressed_in=\"lower_3\">0 0 1</xyz></axis> for 'wrist_3', which makes it a robot in "
-                     "SE2."});
+  test::expect_refusal(
+      robot,
+      "robot.urdf states axes for 'wrist_2', 'wrist_3' about which their links do not turn; write <axis><xyz "
+      "expressed_in=\"lower_2\">0 0 1</xyz></axis> for 'wrist_2', <axis><xyz expressed_in=\"lower_3\">0 0 "
+      "1</xyz></axis> for 'wrist_3', which makes it a robot in SE2.");
   const std::string both = robot.urdf;
   robot.urdf = with_axes_of_links(both, {"lower_2"});
-  EXPECT_EQ(refusal(robot),
-            Problems{"robot.urdf states axes for 'wrist_3' about which their links do not turn; write "
-                     "<axis><xyz expressed_in=\"lower_3\">0 0 1</xyz></axis> for 'wrist_3', which makes it a "
-                     "robot in SE2."});
+  test::expect_refusal(
+      robot,
+      "robot.urdf states axes for 'wrist_3' about which their links do not turn; write <axis><xyz "
+      "expressed_in=\"lower_3\">0 0 1</xyz></axis> for 'wrist_3', which makes it a robot in SE2.");
   robot.urdf = with_axes_of_links(both, {"lower_2", "lower_3"});
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::SE2);
   Description delta = faulty("delta_of_parallelograms");
   const Problems said = refusal(delta);
   ASSERT_EQ(said.size(), 1U);
-  EXPECT_EQ(said[0].rfind("robot.urdf states axes for 'close_1', 'close_2', 'close_3' about which", 0), 0U)
-      << said[0];
+  EXPECT_TRUE(
+      test::begins(said[0], "robot.urdf states axes for 'close_1', 'close_2', 'close_3' about which"));
   delta.urdf = with_axes_of_links(delta.urdf, {"foot_1", "foot_2", "foot_3"});
   EXPECT_EQ(test::load(delta)->manipulator()->task_space(), TaskSpace::T3);
 }

@@ -11,7 +11,6 @@ namespace parallel_aspects {
 namespace {
 
 using test::Description;
-using test::replaced;
 
 Description nearly_a_turn(const std::string& constraints = "") {
   return {test::source_file("test/data/nearly_a_turn.urdf"),
@@ -31,8 +30,7 @@ TEST(NearlyAFullTurn, BoundsNoAspect) {
   const std::vector<std::string> expected{
       "robot.urdf limits joints to less than 0.01 rad below a full turn, which bounds no aspect: "
       "'crank_1_joint', 'crank_2_joint', 'elbow_1_joint', 'elbow_2_joint'; constraints: {strict_limits: "
-      "true} in "
-      "robot.yaml takes the limits as they are."};
+      "true} in robot.yaml takes the limits as they are."};
   EXPECT_EQ(mechanism->notes(), expected);
 }
 
@@ -60,7 +58,7 @@ TEST(NearlyAFullTurn, HoldsInTime) {
 
 TEST(NearlyAFullTurn, IsLessThanAHundredthOfARadian) {
   Description robot = nearly_a_turn();
-  robot.urdf = replaced(robot.urdf, "3.14\"", "3.136\"");
+  robot.change_urdf("3.14\"", "3.136\"");
   const auto mechanism = test::load(robot);
   EXPECT_EQ(mechanism->mapped_manipulator(), mechanism->manipulator());
   EXPECT_EQ(mechanism->mapped_manipulator()->constraints().passive_limits.size(), 2U);

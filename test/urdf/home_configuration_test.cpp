@@ -56,7 +56,7 @@ TEST(HomeConfiguration, IsTheStatedStart) {
 
 TEST(HomeConfiguration, IsNoStartBeyondReach) {
   Description robot = described("short_strokes", "short_strokes");
-  robot.config = test::replaced(robot.config, "0.0, 0.0, 0.08", "0.0, 0.0, 0.3");
+  robot.change_config("0.0, 0.0, 0.08", "0.0, 0.0, 0.3");
   const auto mechanism = test::load(robot);
   expect_within_limits(*mechanism, mechanism->home());
   EXPECT_LT(mechanism->home().pose.position.z(), 0.11);

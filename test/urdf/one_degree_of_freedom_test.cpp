@@ -94,13 +94,13 @@ TEST_F(Prrp, HasSegmentsThatAreProvedFree) {
 // A crank that actuates a slider through a rod.
 TEST(SliderCrank, IsRecognised) {
   const std::string urdf =
-      "<robot name=\"slider_crank\"><link name=\"base\"/><link name=\"crank\"/><link name=\"rod\"/>"
-      "<link name=\"slider\"/>" +
+      "<robot name=\"slider_crank\"><link name=\"base\"/><link name=\"crank\"/><link name=\"rod\"/><link "
+      "name=\"slider\"/>" +
       test::moving_joint("drive", "base", "crank", "0 1 0") +
       test::moving_joint("pin", "crank", "rod", "0 -1 0", "xyz=\"1 0 0\"") + "<link name=\"tip\"/>" +
       test::fixed_joint("rod", "tip", "xyz=\"3 0 0\"") +
-      "<joint name=\"slide\" type=\"prismatic\"><parent link=\"base\"/><child link=\"slider\"/><axis "
-      "xyz=\"0 0 1\"/></joint></robot>";
+      "<joint name=\"slide\" type=\"prismatic\"><parent link=\"base\"/><child link=\"slider\"/><axis xyz=\"0 "
+      "0 1\"/></joint></robot>";
   const auto mechanism = test::load(urdf,
                                     "mechanism: {operational_point: slider, actuated_joints: [drive], "
                                     "closures: [{frames: [tip, slider], type: point}]}");
@@ -113,8 +113,8 @@ TEST(SliderCrank, IsRecognised) {
 // One actuated joint, but the coupler's points run along curves.
 TEST(FourBar, IsRefused) {
   const std::string urdf =
-      "<robot name=\"four_bar\"><link name=\"base\"/><link name=\"crank\"/><link name=\"coupler\"/>"
-      "<link name=\"rocker\"/><link name=\"tip\"/><link name=\"end\"/>" +
+      "<robot name=\"four_bar\"><link name=\"base\"/><link name=\"crank\"/><link name=\"coupler\"/><link "
+      "name=\"rocker\"/><link name=\"tip\"/><link name=\"end\"/>" +
       test::moving_joint("drive", "base", "crank", "0 0 1") +
       test::moving_joint("pin", "crank", "coupler", "0 0 1", "xyz=\"1 0 0\"") +
       test::fixed_joint("coupler", "tip", "xyz=\"3 0 0\"") +

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "support/descriptions.h"
+#include "support/texts.h"
 #include <algorithm>
 #include <iomanip>
 #include <random>
@@ -46,7 +47,7 @@ std::string perturbed(const std::string& urdf, double most, unsigned seed) {
 }
 
 Description with_tolerance(Description robot, const std::string& tolerance) {
-  robot.config = replaced(robot.config, "mechanism:\n", "mechanism:\n  symmetrize: " + tolerance + "\n");
+  robot.change_config("mechanism:\n", "mechanism:\n  symmetrize: " + tolerance + "\n");
   return robot;
 }
 
@@ -88,8 +89,7 @@ TEST_P(Symmetrized, HasTheSymmetriesAndCountsOfTheIdealRobot) {
     EXPECT_EQ(motions_of(*map), motions_of(*ideal)) << "seed " << seed;
     EXPECT_EQ(map->aspects().size(), ideal->aspects().size()) << "seed " << seed;
     ASSERT_FALSE(symmetric->notes().empty());
-    EXPECT_NE(symmetric->notes().front().find("is made symmetric under"), std::string::npos)
-        << symmetric->notes().front();
+    EXPECT_TRUE(test::has(symmetric->notes().front(), "is made symmetric under"));
     for (std::size_t j = 0; j < raw->manipulator()->leg_count(); ++j)
       EXPECT_LT((raw->manipulator()->leg(j).anchor - symmetric->manipulator()->leg(j).anchor).norm(), 1e-3);
   }
@@ -121,10 +121,9 @@ TEST(Symmetrize, LeavesARobotAsItIsThatIsBeyondTheTolerance) {
     EXPECT_EQ(raw->manipulator()->leg(j).rod_length, same->manipulator()->leg(j).rod_length);
   }
   ASSERT_FALSE(same->notes().empty());
-  EXPECT_EQ(
-      same->notes().front(),
-      "No motion that permutes the axes of coordinates takes the robot of robot.urdf onto itself within "
-      "mechanism.symmetrize: 1e-06 of robot.yaml; its numbers are taken as they are.");
+  EXPECT_EQ(same->notes().front(),
+            "No motion that permutes the axes of coordinates takes the robot of robot.urdf onto itself "
+            "within mechanism.symmetrize: 1e-06 of robot.yaml; its numbers are taken as they are.");
 }
 
 TEST(Symmetrize, IsASmallPositiveNumber) {
@@ -140,8 +139,8 @@ Description bounded_five_bar(const std::string& off) {
   Description robot = with_tolerance(shipped_text("five_bar"), "1.0e-4");
   robot.urdf = perturbed(robot.urdf, 1e-5, 1);
   for (const std::string joint : {"elbow_1_joint", "elbow_2_joint"})
-    robot.urdf = replaced(
-        robot.urdf, "<joint name=\"" + joint + "\" type=\"continuous\">",
+    robot.change_urdf(
+        "<joint name=\"" + joint + "\" type=\"continuous\">",
         "<joint name=\"" + joint + "\" type=\"revolute\"><limit lower=\"-2.5\" upper=\"2.5" + off + "\"/>");
   robot.config += "\nconstraints:\n  workspace: {lower: [-3.0, -9.0], upper: [12.0, 9.0" + off +
                   "]}\n  obstacles: [{name: post, center: [4.5, 0.0" + off + "], radius: 0.2}]\n";
@@ -166,8 +165,8 @@ TEST(Symmetrize, NamesWhatIsBeyondTheTolerance) {
 TEST(Symmetrize, SaysNothingOfMovesThatAreNotKept) {
   Description robot = with_tolerance(shipped_text("five_bar"), "1.0e-4");
   robot.config +=
-      "\nconstraints:\n  obstacles: [{name: post, center: [4.5, 0.0002], radius: 0.2}, "
-      "{name: wall, center: [4.5, 3.0], radius: 0.2}]\n";
+      "\nconstraints:\n  obstacles: [{name: post, center: [4.5, 0.0002], radius: 0.2}, {name: wall, center: "
+      "[4.5, 3.0], radius: 0.2}]\n";
   const auto mechanism = test::load(robot);
   EXPECT_TRUE(any_note(*mechanism, "while these are not symmetric: constraints.obstacles."));
   EXPECT_FALSE(any_note(*mechanism, "are made symmetric, too"));

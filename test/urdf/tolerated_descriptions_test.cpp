@@ -41,14 +41,13 @@ const std::string revolute_crank_1 = "<joint name=\"crank_1_joint\" type=\"revol
 INSTANTIATE_TEST_SUITE_P(
     All, ToleratedDescription,
     ::testing::Values(
-        Tolerated{
-            "RevoluteWithoutLimits", crank_1, revolute_crank_1,
-            "robot.urdf states no limits for revolute joint 'crank_1_joint', or both as 0; it is taken as "
-            "unlimited."},
-        Tolerated{
-            "RevoluteWithEffortOnly", crank_1, revolute_crank_1 + "<limit effort=\"1\" velocity=\"1\"/>",
-            "robot.urdf states no limits for revolute joint 'crank_1_joint', or both as 0; it is taken as "
-            "unlimited."},
+        Tolerated{"RevoluteWithoutLimits", crank_1, revolute_crank_1,
+                  "robot.urdf states no limits for revolute joint 'crank_1_joint', or both as 0; it is taken "
+                  "as unlimited."},
+        Tolerated{"RevoluteWithEffortOnly", crank_1,
+                  revolute_crank_1 + "<limit effort=\"1\" velocity=\"1\"/>",
+                  "robot.urdf states no limits for revolute joint 'crank_1_joint', or both as 0; it is taken "
+                  "as unlimited."},
         Tolerated{"SeveralWithoutLimits", "type=\"continuous\"", "type=\"revolute\"",
                   "robot.urdf states no limits for revolute joints 'crank_1_joint', 'elbow_1_joint', "
                   "'crank_2_joint', 'elbow_2_joint', or both as 0; they are taken as unlimited."},
@@ -61,11 +60,10 @@ INSTANTIATE_TEST_SUITE_P(
         Tolerated{"ZeroAxisOnFixedJoint", "<joint name=\"tool_joint\" type=\"fixed\">",
                   "<joint name=\"tool_joint\" type=\"fixed\"><axis xyz=\"0 0 0\"/>",
                   "robot.urdf gives fixed joint 'tool_joint' a zero axis; it is not used."},
-        Tolerated{
-            "Mimic", "<joint name=\"elbow_1_joint\" type=\"continuous\">",
-            "<joint name=\"elbow_1_joint\" type=\"continuous\"><mimic joint=\"crank_1_joint\"/>",
-            "robot.urdf lets joint 'elbow_1_joint' mimic another joint; that is not used, the loop closures "
-            "decide."},
+        Tolerated{"Mimic", "<joint name=\"elbow_1_joint\" type=\"continuous\">",
+                  "<joint name=\"elbow_1_joint\" type=\"continuous\"><mimic joint=\"crank_1_joint\"/>",
+                  "robot.urdf lets joint 'elbow_1_joint' mimic another joint; that is not used, the loop "
+                  "closures decide."},
         Tolerated{"ForeignTags", "<link name=\"closing_2\"/>",
                   "<link name=\"closing_2\"/><gazebo reference=\"tool\"><mu1>0.2</mu1></gazebo><ros2_control "
                   "name=\"x\"/><unknown/>",
@@ -73,8 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
         Tolerated{"NamesBeyondAscii", "rod_2", "Stößel_ロッド", ""},
         Tolerated{"ZeroInertia", "<link name=\"closing_2\"/>",
                   "<link name=\"closing_2\"><inertial><mass value=\"0\"/><inertia ixx=\"0\" ixy=\"0\" "
-                  "ixz=\"0\" iyy=\"0\" "
-                  "iyz=\"0\" izz=\"0\"/></inertial></link>",
+                  "ixz=\"0\" iyy=\"0\" iyz=\"0\" izz=\"0\"/></inertial></link>",
                   ""},
         Tolerated{"ShapesThatCannotBe", "<link name=\"closing_2\"/>",
                   "<link name=\"closing_2\"><visual><origin xyz=\"0 nan 0\"/><geometry><box size=\"0 1 "
@@ -145,11 +142,10 @@ TEST(Limits, OfPassiveJointsAreDistinguished) {
 TEST(Limits, MayKeepTheLoopsOpen) {
   std::string urdf = test::source_file("urdf/bipod.urdf");
   urdf = replaced(urdf, "lower=\"4\" upper=\"9\"", "lower=\"20\" upper=\"30\"");
-  const Problems expected{
-      "robot.urdf cannot be closed as robot.yaml asks: the frames of closure 'tool - bar_2_tip' come no "
-      "nearer than 9 m; "
-      "check the lengths, the joint limits and the frames of its loop."};
-  EXPECT_EQ(test::refusal(urdf, test::source_file("config/robots/bipod.yaml")), expected);
+  EXPECT_EQ(
+      test::refusal(urdf, test::source_file("config/robots/bipod.yaml")),
+      Problems{"robot.urdf cannot be closed as robot.yaml asks: the frames of closure 'tool - bar_2_tip' "
+               "come no nearer than 9 m; check the lengths, the joint limits and the frames of its loop."});
 }
 
 // As older editors save it; a name in the YAML is one in the URDF all the same.

@@ -17,12 +17,11 @@ namespace {
 // A five-bar whose elbows are tilted, and its base: gaps are along no axis of coordinates.
 Description tilted_five_bar() {
   Description robot = test::shipped_text("five_bar");
-  robot.urdf = test::replaced(robot.urdf, "<origin xyz=\"5 0 0\"/>",
-                              "<origin xyz=\"5 0 0\" rpy=\"0.0003 0.0002 0\"/>");
-  robot.urdf = test::replaced(
-      robot.urdf, "</robot>",
+  robot.change_urdf("<origin xyz=\"5 0 0\"/>", "<origin xyz=\"5 0 0\" rpy=\"0.0003 0.0002 0\"/>");
+  robot.change_urdf(
+      "</robot>",
       "<link name=\"hall\"/>" + test::fixed_joint("hall", "base_link", "rpy=\"0.6 0.5 0.3\"") + "</robot>");
-  robot.config = test::replaced(robot.config, "base_link: base_link", "base_link: hall");
+  robot.change_config("base_link: base_link", "base_link: hall");
   return robot;
 }
 

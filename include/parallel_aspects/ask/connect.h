@@ -89,7 +89,7 @@ void describe(Visit& visit, const LocatedConfiguration& answer) {
         only_if(!answer.missed_margins.empty(), answer.missed_margins));
   visit({"status", "",
          "`inside` and `outside` of aspects are proved; `undecided`: nearer to a singularity or a limit than "
-         "the map can tell; `not mapped`; null without a map"},
+         "the map can decide; `not mapped`; null without a map"},
         answer.location ? std::make_optional(answer.location->status) : std::nullopt);
   visit({"aspect", "", "id of the aspect that is proved to hold it; else null"},
         is_inside ? std::make_optional(answer.location->aspect) : std::nullopt);

@@ -104,7 +104,7 @@ void describe(Visit& visit, MapQuestion& question) {
        "By which index depths and bottlenecks are measured: parallel, |det A| over the norms of its rows, or "
        "det_a, |det A| itself"},
       question.index);
-  visit({"neighbours", "", "Tell which aspects touch across a singularity, and where that is proved"},
+  visit({"neighbours", "", "List which aspects touch across a singularity, and where that is proved"},
         question.neighbours);
   visit({"no_symmetry", "", "Compute what symmetries of the robot show to be the same, too"},
         question.no_symmetry);
@@ -314,7 +314,7 @@ void describe(Visit& visit, const MapAnswer& answer) {
         has_basins ? std::make_optional(answer.basins->basins) : std::nullopt);
   visit({"neighbours", "", "with {neighbours}: as the `gates` of `graph`; else null"}, answer.neighbours);
   visit({"neighbours_not_across", "",
-         "the leg whose joint is held, across whose B_jj = 0 no neighbours are looked for; else null"},
+         "the leg whose joint is held, across whose B_jj = 0 no neighbours are searched; else null"},
         answer.neighbours_not_across);
 }
 

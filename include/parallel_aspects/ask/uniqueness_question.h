@@ -47,7 +47,7 @@ void describe(Visit& visit, UniquenessQuestion& question) {
         question.roadmap.samples);
   visit({"seed", "N", "In SO3 and SE3: seed of its poses, by default 1"}, question.roadmap.seed);
   visit({"poses", "N",
-         "In SO3 and SE3: configurations of the roadmap whose direct solutions are looked at, by default "
+         "In SO3 and SE3: configurations of the roadmap whose direct solutions are searched, by default "
          "1000; some milliseconds each"},
         question.poses);
 }
@@ -105,7 +105,7 @@ void describe(Visit& visit, const Part<BasicComponent, SolutionNumbers>& part) {
   visit({"actuated", "m or rad", "values in it"}, component.inside);
   visit({"solutions", "", "how many each has"}, component.solutions.size());
   visit({"poses", "", "all solutions of these values"}, component.solutions);
-  visit({"components", "", "that hold them; 0 where the map cannot tell"}, component.aspects);
+  visit({"components", "", "that hold them; 0 where the map cannot decide"}, component.aspects);
   visit({"measure", "", "best estimate"}, component.measure);
   visit({"measure_lower", "", "proved"}, component.measure_lower);
   visit({"unit", "", "of these"}, part.of->region_unit);
@@ -174,7 +174,7 @@ struct CuspsOverJoint {
 
 template <class Visit>
 void describe(Visit& visit, const CuspsOverJoint& answer) {
-  visit({"held_joint", "", "whose values are looked at"}, answer.joint);
+  visit({"held_joint", "", "whose values are examined"}, answer.joint);
   visit({"unit", "", "of these"}, answer.unit);
   visit({"lower", "", "lower end of its range"}, answer.found.range.lower);
   visit({"upper", "", "upper end"}, answer.found.range.upper);
@@ -206,7 +206,7 @@ void describe(Visit& visit, const SurveyOfRoadmap& answer) {
   const AssemblySurvey& survey = answer.survey;
   visit({"samples", "", "of the roadmap"}, answer.roadmap ? answer.roadmap->poses().size() : 0);
   visit({"seed", "", "likewise"}, answer.roadmap ? answer.roadmap->options().seed : 0U);
-  visit({"poses", "", "configurations of the roadmap whose actuated values were looked at"}, survey.poses);
+  visit({"poses", "", "configurations of the roadmap whose actuated values were examined"}, survey.poses);
   visit({"possibly_incomplete", "", "those whose list of direct solutions may lack some"}, survey.incomplete);
   visit({"solutions", "", "how many `poses` have so many proved `solutions`, in whichever aspect"},
         list_of(survey.solutions));
@@ -311,7 +311,7 @@ void describe(Visit& visit, const ComponentSurvey& component) {
   visit({"determinant_sign", "", "of det A"}, component.determinant_sign);
   visit({"component", "", "of that side of the roadmap, from 1"}, static_cast<int>(component.component + 1));
   visit({"samples", "", "of it"}, component.samples);
-  visit({"poses", "", "how many of these were looked at"}, component.poses);
+  visit({"poses", "", "how many of these were examined"}, component.poses);
   visit({"solutions_in_aspect", "", "likewise, proved to be in the same aspect"},
         ask::list_of(component.in_aspect));
   visit({"unknown", "", "solutions that may be in it as well"}, component.unknown);

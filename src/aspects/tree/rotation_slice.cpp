@@ -25,7 +25,7 @@ std::string find_problem(TaskSpace space, const std::vector<HeldCoordinate>& hel
     return "A slice of " + std::string(name(space)) + " turns about no other axis; leave 'turn' out.";
   for (const char* angle : {"roll", "pitch", "yaw"})
     if (count_of(held, angle) != 1)
-      return std::string("The slice turns from an orientation that it does not tell; hold '") + angle +
+      return std::string("The slice turns from an orientation that it does not state; hold '") + angle +
              "' once.";
   return "";
 }

@@ -27,9 +27,9 @@ std::string other_constraints(const Manipulator& manipulator) {
 std::string find_slice_to_hold(const Manipulator& manipulator) {
   const std::string example = example_of_held_joint(manipulator);
   if (example.empty())
-    return "In SE2 actuated values are looked at in slices that hold an actuated joint, and " +
+    return "In SE2 actuated values are examined in slices that hold an actuated joint, and " +
            in_quotes(manipulator.name()) + " has none that can be held.";
-  return "In SE2 actuated values are looked at in slices; give one that holds an actuated joint, such as " +
+  return "In SE2 actuated values are examined in slices; give one that holds an actuated joint, such as " +
          example + ".";
 }
 
@@ -59,7 +59,7 @@ std::string find_problem_without_slice(const Manipulator& manipulator) {
   const std::string unlimited = lengths_without_limit(manipulator);
   if (unlimited.empty()) return "";
   return "All poses of " + in_quotes(manipulator.name()) +
-         " are looked at within limits of its struts and slides, but nothing limits how far " + unlimited +
+         " are examined within limits of its struts and slides, but nothing limits how far " + unlimited +
          " may go. Give limits, or a slice that holds an actuated joint, such as " +
          example_of_held_joint(manipulator) + ".";
 }
@@ -67,7 +67,7 @@ std::string find_problem_without_slice(const Manipulator& manipulator) {
 std::string find_problem_of_slice(const Manipulator& manipulator, const MapSlice& slice) {
   if (!slice.joint)
     return find_slice_to_hold(manipulator) +
-           (has_elbows(manipulator) ? "" : " All poses are looked at without a slice.");
+           (has_elbows(manipulator) ? "" : " All poses are examined without a slice.");
   return find_held_joint_problem(manipulator, *slice.joint);
 }
 
@@ -171,7 +171,7 @@ std::string find_uniqueness_problem(const Manipulator& manipulator, const Unique
   if (space == TaskSpace::SE2) return find_problem_in_se2(manipulator, options);
   return "Uniqueness domains are found in T1, T2, T3, R1 and SE2, and " + in_quotes(manipulator.name()) +
          " moves in " + std::string(name(space)) +
-         "; `aspects uniqueness` tells in which of its aspects more than one pose has the same actuated "
+         "; `aspects uniqueness` finds in which of its aspects more than one pose has the same actuated "
          "values.";
 }
 

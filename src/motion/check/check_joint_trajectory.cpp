@@ -354,7 +354,7 @@ class JointCheck {
     if (outcome_ == Outcome::stretched)
       return "a leg is stretched or folded (B_jj = 0), or too near to it, already at the start";
     if (outcome_ == Outcome::folded)
-      return "det A vanishes, and behind it the actuated joints do not tell where the platform goes";
+      return "det A vanishes, and behind it the actuated joints do not determine where the platform goes";
     if (outcome_ == Outcome::lost && is_free_) return "it comes too near to det A = 0 to be followed";
     return near_something_text();
   }

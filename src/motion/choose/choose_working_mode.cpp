@@ -71,7 +71,7 @@ class PathSurvey {
     result.mode = mode;
     if (is_cancelled(options_.control)) {
       result.check.free_until = waypoints_.front().time;
-      result.check.reason = "Not looked at: the question was cancelled.";
+      result.check.reason = "Not examined: the question was cancelled.";
       return result;
     }
     result.determinant_sign = certifier_.prove(waypoints_.front().pose, mode).sign;
@@ -143,7 +143,7 @@ Problems problems_of(const Manipulator& manipulator, const std::vector<PoseWaypo
   Problems problems = waypoint_problems(waypoints);
   if (preference == Preference::fast && !has_velocity_limit(manipulator))
     problems.push_back("No actuated joint of '" + manipulator.name() +
-                       "' has a velocity limit, so that no time can be told; state them in the URDF, or "
+                       "' has a velocity limit, so that no time can be computed; state them in the URDF, or "
                        "prefer clear or travel.");
   return problems;
 }

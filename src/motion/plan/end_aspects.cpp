@@ -117,7 +117,7 @@ void explain(const AspectMap& map, const SegmentCertifier& certifier, const Pose
   else if (status == LocationStatus::not_mapped)
     end.reasons.add(at.mode, "it lies outside the region of the map");
   else
-    end.reasons.add(at.mode, "it is closer to a singularity or a limit than the map can tell");
+    end.reasons.add(at.mode, "it is closer to a singularity or a limit than the map can decide");
 }
 
 /// Where the map itself does not place the end, a proved path into an aspect does.

@@ -63,7 +63,7 @@ class Meeting {
                        robot_.leg(rows.other).name + "' are " +
                        number_text(std::asin(std::min(1.0, rows.sine)) * 180.0 / EIGEN_PI, 2) +
                        " degrees apart. Where aspects only touch, the smallest change of a length joins them "
-                       "or parts them, so that no map tells.";
+                       "or parts them, so that no map decides.";
     return text;
   }
 
@@ -114,7 +114,7 @@ class Meeting {
 
 std::string unresolved_text(const AspectMap& map, int first, int second, const MapControl& control) {
   const Aspect& aspect = map.aspects()[static_cast<std::size_t>(first - 1)];
-  return "in " + to_string(aspect.mode) + " the map cannot tell whether aspects " +
+  return "in " + to_string(aspect.mode) + " the map cannot decide whether aspects " +
          std::to_string(std::min(first, second)) + " and " + std::to_string(std::max(first, second)) +
          " are one." + Meeting(map, first, second).text(control);
 }

@@ -65,7 +65,7 @@ std::string message_of(const StandOffEstimate& estimate, DistanceUnit unit) {
   if (estimate.poses == 0) return {};
   return "By tracking/encoder_noise, the assembly mode can be determined as near as " +
          unit.text(estimate.largest, 3) + " to parallel singularities; the largest of " +
-         std::to_string(estimate.poses) + " that were looked at, an estimate.";
+         std::to_string(estimate.poses) + " that were examined, an estimate.";
 }
 
 std::string warning_of(const StandOffEstimate& estimate, double parallel_stop, DistanceUnit unit) {

@@ -22,7 +22,7 @@ KnownDomains before_the_map(const Manipulator& manipulator, bool enabled) {
   const std::string problem = find_uniqueness_problem(manipulator, {});
   if (!problem.empty())
     return {UniquenessState::NONE,
-            "The node looks at all poses of the robot, and of these they are not known. " + problem, nullptr};
+            "The node examines all poses of the robot, and of these they are not known. " + problem, nullptr};
   if (!enabled)
     return {
         UniquenessState::OFF,
@@ -126,9 +126,9 @@ std::string text_of(const AspectTransition& transition, std::uint8_t sharing) {
       "it and basic region " + std::to_string(transition.reference_region) + ", where tracking began";
   return "basic region " + std::to_string(transition.basic_region_before) + " -> " +
          std::to_string(transition.basic_region_after) + ": " +
-         (transition.domain_shared
-              ? "a uniqueness domain holds " + reference + ", again"
-              : no_domain_holds(sharing) + reference + "; the actuated joints alone do not tell the pose");
+         (transition.domain_shared ? "a uniqueness domain holds " + reference + ", again"
+                                   : no_domain_holds(sharing) + reference +
+                                         "; the actuated joints alone do not determine the pose");
 }
 
 }  // namespace
@@ -202,7 +202,7 @@ UniquenessState unknown_domains(std::uint8_t known) {
 std::string warning_of(const UniquenessState& state) {
   return no_domain_holds(state.sharing) + "the pose and basic region " +
          std::to_string(state.reference_region) +
-         ", where tracking began: the actuated joints alone do not tell the pose";
+         ", where tracking began: the actuated joints alone do not determine the pose";
 }
 
 }  // namespace parallel_aspects

@@ -156,7 +156,7 @@ MasterWatch::Master MasterWatch::look() {
   }
   if (!ros::ok()) return last_;
   if (now == Master::unreachable && last_ != now)
-    ROS_WARN("The ROS master does not answer. What is connected goes on, and the node looks for it again.");
+    ROS_WARN("The ROS master does not answer. What is connected goes on, and the node tries again.");
   if (now == Master::forgetful)
     ROS_WARN_STREAM("The ROS master did not know this node any more, as after a restart: "
                     << registered_ << " topics and services were registered again.");

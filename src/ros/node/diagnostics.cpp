@@ -105,7 +105,7 @@ void Diagnostics::report_tracking(Wrapper& status) const {
   const UniquenessState uniqueness = monitor_.uniqueness();
   if (well) merge_threshold(findings.threshold, status);
   if (well && uniqueness.warns)
-    status.mergeSummary(Level::WARN, "the actuated joints alone do not tell the pose");
+    status.mergeSummary(Level::WARN, "the actuated joints alone do not determine the pose");
   status.add("level", well ? name(level_of(findings.threshold, uniqueness)) : name(ThresholdLevel::unknown));
   if (well && findings.threshold.level == ThresholdLevel::unset) {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -76,7 +76,7 @@ Status MotionQueries::read(const CheckTrajectory::Request& request, ask::CheckQu
   if (request.start.kind > Configuration::JOINTS)
     return invalid_request("start.kind is none of NOW, POSE and JOINTS; give one of them.");
   if (!request.start.joint_names.empty() || !request.start.joint_positions.empty())
-    return invalid_request("start has joint values, but the trajectory tells them; leave them out.");
+    return invalid_request("start has joint values, but the trajectory states them; leave them out.");
   if (request.pass_serial) question.policy = ask::CheckPolicy::serial;
   if (request.distances > 0) question.distances.emplace().value = request.distances;
   if (has_joints != has_poses)
@@ -136,7 +136,7 @@ Status MotionQueries::read_poses(const CheckTrajectory::Request& request,
     return invalid_request("There are " + std::to_string(request.poses.size()) + " poses but " +
                            std::to_string(request.times.size()) + " times; give one for each.");
   if (request.start.kind == Configuration::POSE)
-    return invalid_request("start.kind is POSE, but the poses tell where it starts; give NOW or JOINTS.");
+    return invalid_request("start.kind is POSE, but the poses state where it starts; give NOW or JOINTS.");
   const Status status =
       read_waypoints(*manipulator_, to_base_, request.poses, request.times, question.path.emplace());
   if (status.code != Status::OK) return status;

@@ -108,7 +108,7 @@ AspectsDisplay::AspectsDisplay() : listeners_(section_mouse()) {
 
 AspectsDisplay::~AspectsDisplay() { stop(); }
 
-void AspectsDisplay::onInitialize() { setStatus(Level::Warn, "Node", "Not looked for yet."); }
+void AspectsDisplay::onInitialize() { setStatus(Level::Warn, "Node", "Not searched yet."); }
 
 void AspectsDisplay::onEnable() { follow_node(); }
 

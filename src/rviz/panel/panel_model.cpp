@@ -116,8 +116,8 @@ std::string text_of(const UniquenessState& domains) {
 DomainLine line_of_regions(const UniquenessState& domains) {
   return {domains.warns ? SafetyLevel::warn : SafetyLevel::clear, text_of(domains),
           "Uniqueness domains that hold it: " + std::to_string(domains.domains.size()) +
-              ". While one also holds the basic region where tracking began, the actuated joints alone tell "
-              "the pose."};
+              ". While one also holds the basic region where tracking began, the actuated joints alone "
+              "determine the pose."};
 }
 
 /// As a title, where "limit" alone would say too little.
@@ -296,7 +296,7 @@ DomainLine domain_line_of(const NodeView& view) {
       return {SafetyLevel::unknown, "Uniqueness domains are being computed", "They come after the map."};
     case UniquenessState::ASPECTS:
       return {SafetyLevel::clear, "Each aspect is a uniqueness domain",
-              "In it the actuated joints tell the pose, by a theorem."};
+              "In it the actuated joints determine the pose, by a theorem."};
     case UniquenessState::REGIONS:
       if (view.state->status.code == Status::OK && view.silence <= too_silent)
         return line_of_regions(domains);

@@ -132,7 +132,7 @@ void StateWidget::show_candidates(const NodeView& view) {
     buttons_[i]->setMinimumHeight(buttons_[i]->sizeHint().height());
     buttons_[i]->setEnabled(static_cast<bool>(permission));
     buttons_[i]->setToolTip(QString::fromStdString(
-        permission ? "Tells the node that the robot is in this assembly mode." : permission.refusal));
+        permission ? "States to the node that the robot is in this assembly mode." : permission.refusal));
   }
 }
 

@@ -80,7 +80,7 @@ std::string open_text(const AspectGraph& graph) {
               ? "Whether the " + std::to_string(sets) + " sets are more than " + std::to_string(proved) +
                     " is not resolved: gates that were not found may join those of one sign.\n"
               : std::string()) +
-         "Parallel gates are not looked for.\n";
+         "Parallel gates are not searched.\n";
 }
 
 std::string roadmap_text(const ask::GraphAnswer& answer) {

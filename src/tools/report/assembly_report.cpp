@@ -33,11 +33,11 @@ std::string headline(const PoseRoadmap& roadmap, const AssemblySurvey& survey) {
          std::string(name(robot.task_space())) + ", a certified roadmap of " +
          counted(roadmap.poses().size(), "sampled pose") + ", seed " +
          std::to_string(roadmap.options().seed) + "; the actuated values of " +
-         counted(survey.poses, "of its configurations", "of its configurations") + " were looked at\n";
+         counted(survey.poses, "of its configurations", "of its configurations") + " were examined\n";
 }
 
 std::string components_text(const AssemblySurvey& survey) {
-  TextTable table({"working mode", "det A", ">component", ">samples", ">looked at",
+  TextTable table({"working mode", "det A", ">component", ">samples", ">examined",
                    "by solutions in the same aspect, at least", ">unknown", "aspect is a uniqueness domain"});
   std::size_t left_out = 0;
   for (const ComponentSurvey& component : survey.components) {

@@ -101,7 +101,7 @@ std::string bottleneck_text(ParallelIndex index, const Bottleneck& bottleneck) {
   const double width = bottleneck.index.upper - bottleneck.index.lower;
   return "the largest " + index_name(index) + " that a path can keep is " + shown_range(bottleneck.index) +
          (width > std::max(aim.relative * bottleneck.index.upper, absolute)
-              ? ", where the search came to its limit; a finer --resolution may tell more"
+              ? ", where the search came to its limit; a finer --resolution may decide more"
               : "");
 }
 

@@ -44,10 +44,10 @@ void add_missing_joints(const Manipulator& manipulator, const std::string& what,
   report.json["joints_not_limited"] = missing;
   if (missing.empty()) return;
   const bool one = missing.size() == 1;
-  report.text += notes_text(
-      {"The limits of " + std::string(one ? "joint " : "joints ") + listed_names(missing) +
-       " do not bound the " + what + ", since distances do not tell where " + (one ? "it is." : "they are.")},
-      verbose);
+  report.text += notes_text({"The limits of " + std::string(one ? "joint " : "joints ") +
+                             listed_names(missing) + " do not bound the " + what +
+                             ", since distances do not determine where " + (one ? "it is." : "they are.")},
+                            verbose);
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ std::string hiding_text(const AspectMap& map) {
   if (map.count_at_most()) return "; no further aspect is there";
   const bool may_be_excluded = !map.slice() && !map.contents().complete;
   return std::string("; smaller aspects may hide there") +
-         (may_be_excluded ? ", which --complete looks for" : "");
+         (may_be_excluded ? ", which --complete searches" : "");
 }
 
 std::string map_text(const AspectMap& map, bool all_aspects, const MapBasins* basins) {
@@ -219,7 +219,7 @@ std::string neighbours_text(const ask::MapAnswer& answer) {
   if (!answer.neighbours_not_across) return text;
   return text + "those across B_jj = 0 of " +
          answer.map->manipulator()->leg(answer.neighbours_not_across->index).name +
-         ", whose joint is held, are not looked for\n";
+         ", whose joint is held, are not searched\n";
 }
 
 }  // namespace parallel_aspects::tools

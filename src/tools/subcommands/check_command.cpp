@@ -136,7 +136,7 @@ Report run(const CheckArguments& arguments, const Surroundings& surroundings) {
 Subcommand check_subcommand() {
   const auto arguments = std::make_shared<CheckArguments>();
   return question_subcommand<ask::CheckQuestion>(
-      "check", "Tell whether a trajectory is safe at every time", arguments, run,
+      "check", "Decide whether a trajectory is safe at every time", arguments, run,
       {path_option(arguments->path),
        {"--trajectory", "FILE",
         "Values of the actuated joints: a trajectory_msgs/JointTrajectory in YAML, as rostopic prints it; or "

@@ -39,7 +39,7 @@ Report report_of(const ChooseArguments& arguments, const Surroundings& surroundi
 Subcommand choose_subcommand() {
   const auto arguments = std::make_shared<ChooseArguments>();
   return question_subcommand<ask::ChooseQuestion>(
-      "choose", "Tell in which working modes a tool path or a region can be done, the best first", arguments,
+      "choose", "List in which working modes a tool path or a region can be done, the best first", arguments,
       report_of, {path_option(arguments->path)}, {});
 }
 

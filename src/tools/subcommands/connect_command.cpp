@@ -83,12 +83,12 @@ Report locate_report(const Manipulator& robot, const ask::LocateQuestion& questi
 }  // namespace
 
 Subcommand connect_subcommand() {
-  return question_subcommand("connect", "Tell whether two poses lie in one aspect, with a certified path",
+  return question_subcommand("connect", "Decide whether two poses lie in one aspect, with a certified path",
                              connect_report);
 }
 
 Subcommand locate_subcommand() {
-  return question_subcommand("locate", "Tell which aspects hold a pose, or values of the actuated joints",
+  return question_subcommand("locate", "Find which aspects hold a pose, or values of the actuated joints",
                              locate_report);
 }
 

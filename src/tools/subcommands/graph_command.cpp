@@ -42,7 +42,7 @@ Report report_of(const GraphArguments& arguments, const Surroundings& surroundin
 Subcommand graph_subcommand() {
   const auto arguments = std::make_shared<GraphArguments>();
   return question_subcommand<ask::GraphQuestion>(
-      "graph", "Tell through which gates aspects are joined, and which are proved apart", arguments,
+      "graph", "List through which gates aspects are joined, and which are proved apart", arguments,
       report_of, {},
       {{"--picture", "FILE", "Draw aspects and gates as SVG", &arguments->picture_file, false, Words::one,
         FileUse::written}},

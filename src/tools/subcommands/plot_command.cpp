@@ -154,7 +154,7 @@ Report report_of(const PlotArguments& arguments, const Surroundings& surrounding
   const auto map = map_of(manipulator, source, surroundings);
   if (map->aspects().empty())
     throw InvalidDescription({"'" + manipulator->name() +
-                              "' has no aspect there, so that nothing is drawn; `aspects map` tells more."});
+                              "' has no aspect there, so that nothing is drawn; `aspects map` says more."});
   check_section(*map, options);
   const auto start = std::chrono::steady_clock::now();
   const MapControl control = control_of(surroundings);

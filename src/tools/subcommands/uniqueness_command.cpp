@@ -39,7 +39,7 @@ ask::ProblemList problems_of_bounds(const ask::ConstraintChoice& chosen, const M
   const std::string field = chosen.without.empty() ? "{constraint}" : "{no_constraint}";
   problems.push_back(
       {ask::ProblemKind::together, "slice",
-       "All poses of '" + ask::given(robot.name()) + "' are looked at within limits of its joints, and " +
+       "All poses of '" + ask::given(robot.name()) + "' are examined within limits of its joints, and " +
            field + " takes these out",
        "keep actuated_limits, or give {slice} " + ask::given(example_of_held_joint(described))});
   return problems;
@@ -107,7 +107,7 @@ Subcommand uniqueness_subcommand() {
   const auto arguments = std::make_shared<UniquenessArguments>();
   return question_subcommand<ask::UniquenessQuestion>(
       "uniqueness",
-      "Tell which poses of an aspect have the same actuated values, and where direct solutions meet",
+      "Find which poses of an aspect have the same actuated values, and where direct solutions meet",
       arguments, report_of, {},
       {{"--picture", "FILE",
         "Draw the poses of the slice and its actuated values, with singular curves, cusps and numbers of "

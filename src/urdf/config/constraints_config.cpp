@@ -266,7 +266,7 @@ class ConstraintsResolver {
     if (written.end == LegEnd::platform && robot_.point_platform)
       problems_.push_back(file_ + " gives " + written.key +
                           " an axis in the platform, but the legs of the robot meet in one point, whose pose "
-                          "does not tell how a link turns there; leave it out.");
+                          "does not determine how a link turns there; leave it out.");
     const Eigen::Vector3d axis = point(written.axis, dimension(), written.key + ".axis");
     const double largest = axis.cwiseAbs().maxCoeff();
     return {written.leg, written.end, largest > 0.0 ? (axis / largest).normalized() : axis, written.angle};

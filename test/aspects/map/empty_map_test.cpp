@@ -28,10 +28,9 @@ class EmptyMap : public testing::Test {
 TEST_F(EmptyMap, AMapWithAspectsHasNoReason) { EXPECT_EQ(reason(test::five_bar(), {}), ""); }
 
 TEST_F(EmptyMap, ARegionOutOfReachIsSaidToBe) {
-  EXPECT_EQ(
-      reason(test::five_bar(), region(50.0, 60.0, 0.0, 3.0)),
-      "The region lies outside of what the legs can reach, which is within x from -4 to 13 m and y from "
-      "-13 to 13 m; give another region, or leave it out.");
+  EXPECT_EQ(reason(test::five_bar(), region(50.0, 60.0, 0.0, 3.0)),
+            "The region lies outside of what the legs can reach, which is within x from -4 to 13 m and y "
+            "from -13 to 13 m; give another region, or leave it out.");
   EXPECT_EQ(reason(test::five_bar(), region(12.0, 13.0, 12.0, 13.0)),
             "No pose of the region is within reach of all legs and away from singularities; give another "
             "region, or check the lengths of the legs.");
@@ -45,11 +44,10 @@ std::shared_ptr<const Manipulator> small_five_bar(double away) {
 }
 
 TEST_F(EmptyMap, OfARobotTooFarFromItsBaseFrameSaysHowFarItMayBe) {
-  EXPECT_EQ(
-      reason(small_five_bar(1000.0), {}),
-      "refused: The region is 0.17 m wide in x and 1000 m from the origin of the frame 'base_link', which is "
-      "too far for exact boxes; put the origin of that frame within 85 m of the robot, or name a link "
-      "that is so near as base_link.");
+  EXPECT_EQ(reason(small_five_bar(1000.0), {}),
+            "refused: The region is 0.17 m wide in x and 1000 m from the origin of the frame 'base_link', "
+            "which is too far for exact boxes; put the origin of that frame within 85 m of the robot, or "
+            "name a link that is so near as base_link.");
   EXPECT_EQ(reason(small_five_bar(85.0), {}), "") << "the remedy works";
 }
 
@@ -71,9 +69,9 @@ TEST_F(EmptyMap, RegionsThatAreNoneHaveOneReason) {
 TEST_F(EmptyMap, ASliceOutOfReachIsSaidToBe) {
   MapOptions options;
   options.slice = test::slice_of(test::five_bar(), {{"y", 12.9}});
-  EXPECT_EQ(reason(test::five_bar(), options),
-            "No pose of the slice is within reach of all legs and away from singularities; hold other "
-            "values.");
+  EXPECT_EQ(
+      reason(test::five_bar(), options),
+      "No pose of the slice is within reach of all legs and away from singularities; hold other values.");
 }
 
 TEST_F(EmptyMap, TheConstraintThatLeavesNothingIsNamed) {

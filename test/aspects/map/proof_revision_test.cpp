@@ -76,11 +76,10 @@ TEST(ProofRevision, IsRaisedWhenTheProofsChange) {
   if (now == contents(kept)) return;
   const fs::path written = fs::temp_directory_path() / kept.filename();
   std::ofstream(written, std::ios::trunc) << now;
-  ADD_FAILURE()
-      << "Sources of the proofs changed since revision " << proof_revision
-      << ". If any proof did, raise proof_revision in aspects/map/proof_revision.h and run this test "
-         "again. Then copy "
-      << written << " to " << kept << '.';
+  ADD_FAILURE() << "Sources of the proofs changed since revision " << proof_revision
+                << ". If any proof did, raise proof_revision in aspects/map/proof_revision.h and run this "
+                   "test again. Then copy "
+                << written << " to " << kept << '.';
 }
 
 }  // namespace

@@ -196,10 +196,9 @@ TEST(ConstrainedSlice, IsMappedInTheWorkspaceOnly) {
   for (const Aspect& aspect : map->aspects())
     map->visit_inside_poses(aspect.id, [](const Pose& pose, double) { EXPECT_TRUE(is_in_the_box(pose)); });
   MapOptions beyond = test::options_of(test::slice_of(robot, test::upright({{"z", 1.5}})), 0.05);
-  EXPECT_EQ(
-      compute_aspect_map(robot, beyond).message,
-      "The slice holds a position outside of the workspace that the constraints of 'stewart' name; hold "
-      "it inside, or leave the constraint out.");
+  EXPECT_EQ(compute_aspect_map(robot, beyond).message,
+            "The slice holds a position outside of the workspace that the constraints of 'stewart' name; "
+            "hold it inside, or leave the constraint out.");
 }
 
 struct PlanarSlice {
@@ -255,10 +254,9 @@ TEST(ConstrainedMap, RegionsAreClippedToTheWorkspace) {
   EXPECT_EQ(map->region().lower, (MapPoint{0.0, 2.0, 0.0}));
   EXPECT_EQ(map->region().upper, (MapPoint{5.0, 6.0, 0.0}));
   options.region = Box{2, {6.0, 0.0, 0.0}, {9.0, 9.0, 0.0}};
-  EXPECT_EQ(
-      compute_aspect_map(robot, options).message,
-      "The workspace that the constraints of 'five_bar' name holds no position of the region, or is too "
-      "thin for a map; correct constraints.workspace, or leave it out.");
+  EXPECT_EQ(compute_aspect_map(robot, options).message,
+            "The workspace that the constraints of 'five_bar' name holds no position of the region, or is "
+            "too thin for a map; correct constraints.workspace, or leave it out.");
   options.region = Box{3, {0.0, 0.0, 0.0}, {9.0, 9.0, 9.0}};
   EXPECT_EQ(compute_aspect_map(robot, options).message,
             "The region of the map has 3 coordinates; give one for each position that is free, which are 2.");

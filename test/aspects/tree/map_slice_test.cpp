@@ -59,10 +59,9 @@ TEST(MapSlice, EveryMistakeIsOneSentence) {
             "The slice leaves no coordinate free; leave one to three.");
   EXPECT_EQ(problem_of(TaskSpace::SE3, {{"x", 0.0}, {"roll", 1.0}}),
             "The slice leaves y, z, pitch and yaw free; leave one to three.");
-  EXPECT_EQ(
-      problem_of(TaskSpace::SE3, {{"x", 0.0}, {"y", 0.0}, {"z", 1.0}, {"yaw", 0.0}}),
-      "The slice leaves the angles roll and pitch free; hold all of them but one, or let all three turn "
-      "with x, y and z held.");
+  EXPECT_EQ(problem_of(TaskSpace::SE3, {{"x", 0.0}, {"y", 0.0}, {"z", 1.0}, {"yaw", 0.0}}),
+            "The slice leaves the angles roll and pitch free; hold all of them but one, or let all three "
+            "turn with x, y and z held.");
   EXPECT_EQ(problem_of(TaskSpace::T1, {{"x", 0.0}}),
             "T1 has no slices, since x is all there is; map it whole.");
 }
@@ -92,10 +91,9 @@ TEST(MapSlice, HoldsAnActuatedJoint) {
 }
 
 TEST(MapSlice, JointsThatCanNotBeHeldAreRefused) {
-  EXPECT_EQ(
-      problem_of(test::three_rpr(), {{"leg_4_joint", 20.0}}),
-      "'three_rpr' has no pose coordinate or actuated joint 'leg_4_joint'; hold some of x, y and phi, or "
-      "one of leg_1_joint, leg_2_joint or leg_3_joint.");
+  EXPECT_EQ(problem_of(test::three_rpr(), {{"leg_4_joint", 20.0}}),
+            "'three_rpr' has no pose coordinate or actuated joint 'leg_4_joint'; hold some of x, y and phi, "
+            "or one of leg_1_joint, leg_2_joint or leg_3_joint.");
   EXPECT_EQ(problem_of(test::three_rpr(), {{"leg_1_joint", 20.0}, {"phi", 0.0}}),
             "The slice holds the joint 'leg_1_joint' and more; hold that joint alone, or pose coordinates.");
   EXPECT_EQ(problem_of(test::three_rpr(), {{"leg_1_joint", 9.0}}),
@@ -119,10 +117,9 @@ TEST(MapSlice, RefusesAnAngleThatIsTurnsAwayWithTheValueToHold) {
   ManipulatorDescription limited = test::three_rrr()->description();
   limited.legs[0].limits = JointLimits{4.8, 8.2};
   const auto robot = std::make_shared<const Manipulator>(limited);
-  EXPECT_EQ(
-      problem_of(robot, {{"leg_1_joint", -0.25}}),
-      "The slice holds 'leg_1_joint' at -0.25, outside of its limits, 4.8 to 8.2; hold it inside, as at "
-      "6.03318530718, the same angle.");
+  EXPECT_EQ(problem_of(robot, {{"leg_1_joint", -0.25}}),
+            "The slice holds 'leg_1_joint' at -0.25, outside of its limits, 4.8 to 8.2; hold it inside, as "
+            "at 6.03318530718, the same angle.");
   EXPECT_EQ(problem_of(robot, {{"leg_1_joint", 6.03318530718}}), "0 problems");
   EXPECT_EQ(problem_of(robot, {{"leg_1_joint", 4.0}}),
             "The slice holds 'leg_1_joint' at 4, outside of its limits, 4.8 to 8.2; hold it inside.");

@@ -49,7 +49,7 @@ TEST(RotationSlice, EveryMistakeIsOneSentence) {
       rotation_problem(TaskSpace::SE3, upright({{"x", 0.0}}), "w"),
       "The slice turns about 'w'; give x, y or z of the base, or own-x, own-y or own-z of the platform.");
   EXPECT_EQ(rotation_problem(TaskSpace::SE3, {{"x", 0.0}, {"y", 0.0}, {"roll", 0.0}}, "x"),
-            "The slice turns from an orientation that it does not tell; hold 'pitch' once.");
+            "The slice turns from an orientation that it does not state; hold 'pitch' once.");
   EXPECT_EQ(rotation_problem(TaskSpace::SE2, {{"x", 0.0}}, "z"),
             "A slice of SE2 turns about no other axis; leave 'turn' out.");
   EXPECT_NE(rotation_problem(TaskSpace::SE3, upright(), "x"), "0 problems");

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "support/campaign_figures.h"
-#include "support/random_path_end.h"
+#include "support/path_samples.h"
 #include "support/robots/robots.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/index_at.h"
-#include "support/random_path_end.h"
+#include "support/path_samples.h"
 #include "support/robots/robots.h"
 #include "support/sign_at.h"
 #include "support/slices.h"

@@ -106,7 +106,7 @@ TEST(UnresolvedText, NamesAPlaceAndTheLegs) {
   ASSERT_FALSE(map->unresolved().empty());
   const auto [first, second] = map->unresolved().front();
   const std::string text = unresolved_text(*map, second, first);
-  EXPECT_EQ(text.find("in (+,-,-) the map cannot tell whether aspects " + std::to_string(first) + " and " +
+  EXPECT_EQ(text.find("in (+,-,-) the map cannot decide whether aspects " + std::to_string(first) + " and " +
                       std::to_string(second) + " are one."),
             0U)
       << text;

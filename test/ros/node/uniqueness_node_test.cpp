@@ -207,7 +207,7 @@ void UniquenessOfNode::warns_around(std::size_t cusp, std::size_t solution) {
     return diagnostics
         .first([](const auto& array) {
           return array.status[0].level == diagnostic_msgs::DiagnosticStatus::WARN &&
-                 array.status[0].message.find("do not tell the pose") != std::string::npos;
+                 array.status[0].message.find("do not determine the pose") != std::string::npos;
         })
         .has_value();
   }));

@@ -215,8 +215,8 @@ TEST(ProblemsOf, ARegionOrAWorkspaceThatNothingReachesIsRefused) {
   Problems problems = problems_of(options, *test::five_bar(), "/node/");
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_TRUE(mention(problems,
-                      "/node/map/region gives no map: The region lies outside of what the legs can "
-                      "reach, which is within x from -4 to 13 m and y from -13 to 13 m;"))
+                      "/node/map/region gives no map: The region lies outside of what the legs can reach, "
+                      "which is within x from -4 to 13 m and y from -13 to 13 m;"))
       << problems.front();
   Constraints constraints;
   constraints.workspace = WorkspaceBox{{40.0, 40.0, 0.0}, {50.0, 50.0, 0.0}};

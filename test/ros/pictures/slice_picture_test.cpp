@@ -20,8 +20,7 @@ using visualization_msgs::MarkerArray;
 
 const char* const long_message =
     "The assembly mode is not known: the step to the next sample cannot be certified, as it came too near to "
-    "det A = 0; "
-    "say where the robot is with set_assembly_mode, or bring it back to where it was started.";
+    "det A = 0; say where the robot is with set_assembly_mode, or bring it back to where it was started.";
 
 std::vector<std::string> lines_of(const std::string& words) {
   std::vector<std::string> lines{""};

@@ -9,6 +9,7 @@
 
 #include "support/robots/shipped.h"
 #include "support/slices.h"
+#include "support/texts.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -228,10 +229,10 @@ TEST(Plot, LinesOfEqualIndexHaveTheirIndex) {
     EXPECT_NEAR(std::abs(PaperFiveBar::sine_between_rods(segment.from, options.modes.front())), 0.5, 0.01);
   }
   const std::string svg = as_svg(draw_plot(five_bar(), options));
-  EXPECT_NE(svg.find("lines of equal parallel index"), std::string::npos);
-  EXPECT_NE(svg.find(">0.5</text>"), std::string::npos);
+  EXPECT_TRUE(test::has(svg, "lines of equal parallel index"));
+  EXPECT_TRUE(test::has(svg, ">0.5</text>"));
   options.levels.index = DrawnIndex::conditioning;
-  EXPECT_NE(as_svg(draw_plot(five_bar(), options)).find("isoconditioning"), std::string::npos);
+  EXPECT_TRUE(test::has(as_svg(draw_plot(five_bar(), options)), "isoconditioning"));
 }
 
 TEST(Plot, EachAspectHasItsFigure) {
@@ -353,10 +354,9 @@ TEST(Plot, AspectsThatAreNotDrawnAreNamed) {
   for (const Aspect& aspect : map->aspects())
     if (drawn.count(aspect.id) == 0) missing.push_back(aspect.id);
   ASSERT_FALSE(missing.empty());
-  EXPECT_NE(
-      all_text(picture).find(missing_aspects(missing, "Smaller than a cell of that grid, and not drawn")),
-      std::string::npos);
-  EXPECT_EQ(all_text(draw_plot(five_bar(), {})).find("not drawn"), std::string::npos);
+  EXPECT_TRUE(test::has(all_text(picture),
+                        missing_aspects(missing, "Smaller than a cell of that grid, and not drawn")));
+  EXPECT_FALSE(test::has(all_text(draw_plot(five_bar(), {})), "not drawn"));
 }
 
 TEST(Plot, MissingAspectsAreCountedWhereTheyAreMany) {

@@ -6,6 +6,7 @@
 
 #include "support/command_run.h"
 #include "support/robots/robots.h"
+#include "support/texts.h"
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -124,7 +125,7 @@ TEST_F(PlannedTrajectory, SaysWhatIsWrongBeforeAnythingStarts) {
     question.insert(question.end(), bad.options.begin(), bad.options.end());
     const Outcome outcome = run(question);
     EXPECT_EQ(outcome.code, exit_code::bad_input) << bad.message;
-    EXPECT_NE(outcome.messages.find(bad.message), std::string::npos) << outcome.messages;
+    EXPECT_TRUE(test::has(outcome.messages, bad.message));
     EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
   }
 }
@@ -150,11 +151,10 @@ TEST_F(PlannedTrajectory, NeedsLimitsOfTheRobot) {
                                     "4.5 8", "--to",   "4 6",        "--trajectory", file.c_str()};
   write(urdf, model);
   write(config, without(yaml, "motion:", "]\n"));
-  EXPECT_NE(run(question).messages.find("write motion.acceleration into " + config), std::string::npos);
+  EXPECT_TRUE(test::has(run(question).messages, "write motion.acceleration into " + config));
   write(config, yaml);
   write(urdf, without(model, " velocity=\"2", "\""));
-  EXPECT_NE(run(question).messages.find("has no velocity limit"), std::string::npos)
-      << run(question).messages;
+  EXPECT_TRUE(test::has(run(question).messages, "has no velocity limit"));
   question.resize(question.size() - 2);  // without a trajectory it is planned all the same
   EXPECT_TRUE(run_json(question).at("seconds").is_null());
 }

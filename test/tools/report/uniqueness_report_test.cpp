@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/robots/shipped.h"
+#include "support/texts.h"
 #include <cstddef>
 #include <string>
 
@@ -38,8 +39,8 @@ TEST(UniquenessReport, ReportsTheWorkingModeOfNumbers) {
     EXPECT_EQ(component["actuated"], region["actuated"]);
   }
   EXPECT_GE(below, 16U);
-  EXPECT_NE(text.find("working mode  solutions"), std::string::npos) << text;
-  EXPECT_NE(text.find(" over all working modes\n"), std::string::npos) << text;
+  EXPECT_TRUE(test::has(text, "working mode  solutions"));
+  EXPECT_TRUE(test::has(text, " over all working modes\n"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "support/command_run.h"
 #include "support/descriptions.h"
+#include "support/texts.h"
 #include <string>
 
 namespace parallel_aspects::tools {
@@ -45,9 +46,9 @@ TEST(Reach, IsFoundAboutTheStart) {
 
 TEST(Reach, IsReportedInDegrees) {
   const std::string text = reach_text(described("short_strokes"));
-  EXPECT_EQ(text.rfind("workspace: x from -0.0", 0), 0U) << text;
-  EXPECT_NE(text.find("one coordinate alone"), std::string::npos) << text;
-  EXPECT_NE(text.find(" degrees, about\n"), std::string::npos) << text;
+  EXPECT_TRUE(test::begins(text, "workspace: x from -0.0"));
+  EXPECT_TRUE(test::has(text, "one coordinate alone"));
+  EXPECT_TRUE(test::has(text, " degrees, about\n"));
 }
 
 // A ring: |r1 - r2| to r1 + r2 about each of two motors.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include "support/texts.h"
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -75,7 +76,7 @@ TEST_F(CheckCommand, UnsafePathHasAnExitCodeAndTheTime) {
   EXPECT_EQ(result.at("crossings").size(), 1U);
   const Outcome text = check_path("t,x,y\n0,4.5,8\n2,-30,8\n");
   EXPECT_EQ(text.code, exit_code::proved_no);
-  EXPECT_NE(text.output.find("safe: no"), std::string::npos) << text.output;
+  EXPECT_TRUE(test::has(text.output, "safe: no"));
 }
 
 TEST_F(CheckCommand, AStartBeyondALimitIsNoBracket) {
@@ -99,7 +100,7 @@ TEST_F(CheckCommand, SamplesAreWrittenAsATableAndAPicture) {
   std::ifstream table(csv), picture(svg);
   std::string line;
   std::getline(table, line);
-  EXPECT_EQ(line.rfind("time,x,y,", 0), 0U) << line;
+  EXPECT_TRUE(test::begins(line, "time,x,y,"));
   int lines = 0, measured = 0;
   while (std::getline(table, line)) {
     ++lines;
@@ -113,10 +114,10 @@ TEST_F(CheckCommand, SamplesAreWrittenAsATableAndAPicture) {
   EXPECT_GE(lines, 200);
   EXPECT_EQ(measured, 5);
   std::getline(picture, line);
-  EXPECT_EQ(line.rfind("<svg", 0), 0U) << line;
+  EXPECT_TRUE(test::begins(line, "<svg"));
   const std::string drawn{std::istreambuf_iterator<char>(picture), {}};
   for (const BoundaryKind kind : {BoundaryKind::parallel, BoundaryKind::serial, BoundaryKind::limit})
-    EXPECT_NE(drawn.find("fill=\"" + color_text(boundary_color(kind)) + "\"/>"), std::string::npos)
+    EXPECT_TRUE(test::has(drawn, "fill=\"" + color_text(boundary_color(kind)) + "\"/>"))
         << "what the colours mean";
   EXPECT_EQ(check_path("t,x,y\n0,4.5,8\n", {"--csv", "/no/such/folder/a.csv"}).code, exit_code::bad_input);
   EXPECT_EQ(check_path("t,x,y\n0,4.5,8\n", {"--distances", "few"}).code, exit_code::bad_input);
@@ -157,8 +158,7 @@ TEST_F(CheckCommand, JointsAreFollowedFromTheStart) {
   const Outcome ambiguous = run(arguments);
   EXPECT_EQ(ambiguous.code, exit_code::bad_input);
   EXPECT_EQ(test::line_count(ambiguous.messages), 1U);
-  EXPECT_NE(ambiguous.messages.find("2 assembly modes; state which."), std::string::npos)
-      << ambiguous.messages;
+  EXPECT_TRUE(test::has(ambiguous.messages, "2 assembly modes; state which."));
   std::vector<const char*> stated = arguments;
   for (const std::string option :
        {"--start-pose \"", "--start-sign "}) {  // as the sentence says, to the letter
@@ -186,8 +186,7 @@ TEST_F(CheckCommand, AStartBelowAMarginIsRefusedBeforeAnythingStarts) {
   EXPECT_EQ(outcome.code, exit_code::bad_input);
   EXPECT_EQ(outcome.output, "");
   EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
-  EXPECT_NE(outcome.messages.find("does not keep the margins: the parallel index is 0."), std::string::npos)
-      << outcome.messages;
+  EXPECT_TRUE(test::has(outcome.messages, "does not keep the margins: the parallel index is 0."));
 }
 
 TEST_F(CheckCommand, MessagesAreReadAsRostopicPrintsThem) {
@@ -231,9 +230,7 @@ TEST_F(CheckCommand, OptionsThatDoNotGoTogetherAreRefused) {
   EXPECT_EQ(run({"check", "five_bar", "--trajectory", "a", "--start-sign", "up"}).code, exit_code::bad_input);
 }
 
-TEST_F(CheckCommand, IsListedInTheHelp) {
-  EXPECT_NE(run({"--help"}).output.find("  check "), std::string::npos);
-}
+TEST_F(CheckCommand, IsListedInTheHelp) { EXPECT_TRUE(test::has(run({"--help"}).output, "  check ")); }
 
 // The short way round is not what the file asks for.
 TEST_F(CheckCommand, TurnsOfHalfATurnOrMoreNeedWaypointsInBetween) {
@@ -241,15 +238,15 @@ TEST_F(CheckCommand, TurnsOfHalfATurnOrMoreNeedWaypointsInBetween) {
     const std::string name = file(std::string("time,x,y,phi\n0,-1,-3,0\n1,-1,-3,") + phi + "\n");
     const Outcome outcome = run({"check", "three_rrr", "--path", name.c_str(), "--mode", "(-,+,-)"});
     EXPECT_EQ(outcome.code, exit_code::bad_input) << phi;
-    EXPECT_NE(outcome.messages.find("waypoint 2, turns phi"), std::string::npos) << outcome.messages;
+    EXPECT_TRUE(test::has(outcome.messages, "waypoint 2, turns phi"));
   }
 }
 
 TEST_F(CheckCommand, ATrajectoryThatIsTooFastIsNotSafe) {
   const Outcome outcome = check_path("t,x,y\n0,4.5,8\n0.001,4.6,8\n");
   EXPECT_EQ(outcome.code, exit_code::proved_no);
-  EXPECT_NE(outcome.output.find("Too fast: joint '"), std::string::npos) << outcome.output;
-  EXPECT_NE(outcome.output.find("safe: yes, but too fast\n"), std::string::npos) << outcome.output;
+  EXPECT_TRUE(test::has(outcome.output, "Too fast: joint '"));
+  EXPECT_TRUE(test::has(outcome.output, "safe: yes, but too fast\n"));
 }
 
 // As spreadsheets write it.
@@ -294,7 +291,7 @@ TEST_F(CheckCommand, KeysOfAMessageThatAreNotUnderstoodAreRefusedByName) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, exit_code::bad_input) << text;
     EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
-    EXPECT_NE(outcome.messages.find(part), std::string::npos) << text << outcome.messages;
+    EXPECT_TRUE(test::has(outcome.messages, part)) << text << outcome.messages;
   }
 }
 
@@ -309,7 +306,7 @@ TEST_F(CheckCommand, AnEmptyCellIsRefusedByLineAndColumn) {
     const Outcome outcome = check_path(text);
     EXPECT_EQ(outcome.code, exit_code::bad_input) << text;
     EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
-    EXPECT_NE(outcome.messages.find(part), std::string::npos) << text << outcome.messages;
+    EXPECT_TRUE(test::has(outcome.messages, part)) << text << outcome.messages;
   }
   // Behind all columns, as spreadsheets write them, and blank lines shift nothing.
   EXPECT_EQ(check_path("t,x,y,\r\n0, 4.5 ,8,\r\n,,,\r\n1 4.6 8,,\r\n").code, exit_code::ok);
@@ -328,7 +325,7 @@ TEST_F(CheckCommand, OutputsOverwriteNeitherInputsNorOneAnother) {
     const Outcome outcome = check_path(text, options);
     EXPECT_EQ(outcome.code, exit_code::bad_input) << options[1];
     EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
-    EXPECT_NE(outcome.messages.find("would be overwritten"), std::string::npos) << outcome.messages;
+    EXPECT_TRUE(test::has(outcome.messages, "would be overwritten"));
     std::ifstream stream(input);
     EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), text);
   }
@@ -338,9 +335,9 @@ TEST_F(CheckCommand, OutputsOverwriteNeitherInputsNorOneAnother) {
 TEST_F(CheckCommand, ALateFirstWaypointIsWhereTheCheckBegins) {
   const std::string said = "From 5 s on: how the robot gets to the first waypoint is not checked.";
   const std::string late = "t,x,y\n5,4.5,8\n6,4.6,8\n", now = "t,x,y\n0,4.5,8\n1,4.6,8\n";
-  EXPECT_NE(check_path(late).output.find(said), std::string::npos) << check_path(late).output;
+  EXPECT_TRUE(test::has(check_path(late).output, said));
   EXPECT_EQ(json::parse(check_path(late, {"--json"}).output).at("checked_from"), 5.0);
-  EXPECT_EQ(check_path(now).output.find("is not checked"), std::string::npos);
+  EXPECT_FALSE(test::has(check_path(now).output, "is not checked"));
   EXPECT_EQ(json::parse(check_path(now, {"--json"}).output).at("checked_from"), 0.0);
 }
 

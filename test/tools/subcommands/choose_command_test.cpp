@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include "support/texts.h"
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -38,7 +39,7 @@ class ChooseCommand : public test::CommandTest {
 
   void expect_refused(const Outcome& outcome, const std::string& word) {
     EXPECT_EQ(outcome.code, exit_code::bad_input) << outcome.output;
-    EXPECT_NE(outcome.messages.find(word), std::string::npos) << outcome.messages;
+    EXPECT_TRUE(test::has(outcome.messages, word));
     EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
     EXPECT_EQ(outcome.output, "");
   }
@@ -84,13 +85,13 @@ TEST_F(ChooseCommand, ChangesOfPostureAreReportedWithTheirPlace) {
   ASSERT_EQ(changed.at("changes").size(), 1U);
   EXPECT_EQ(changed.at("changes")[0].at("leg"), "leg_1");
   EXPECT_EQ(changed.at("changes")[0].at("time"), changed.at("pieces")[0].at("end"));
-  EXPECT_NE(choose(long_path, {"--changes"}).output.find("leave the path at x 4."), std::string::npos);
+  EXPECT_TRUE(test::has(choose(long_path, {"--changes"}).output, "leave the path at x 4."));
 }
 
 TEST_F(ChooseCommand, APathOutOfReachIsNo) {
   const Outcome outcome = choose("time,x,y\n0,3,60\n1,5,7\n", {"--changes"});
   EXPECT_EQ(outcome.code, exit_code::proved_no);
-  EXPECT_NE(outcome.output.find("with changes of posture: no"), std::string::npos) << outcome.output;
+  EXPECT_TRUE(test::has(outcome.output, "with changes of posture: no"));
 }
 
 TEST_F(ChooseCommand, RegionsAreTConnectedOrNot) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include "support/texts.h"
 #include <atomic>
 #include <map>
 #include <regex>
@@ -61,9 +62,9 @@ TEST_F(RoadmapCommand, MapOfAStewartPlatformIsARoadmap) {
 
 TEST_F(RoadmapCommand, TextSaysWhatIsProvedAndWhatIsNot) {
   const std::string text = run({"map", "stewart", "--samples", "100"}).output;
-  EXPECT_EQ(text.rfind("stewart: at least 2 aspects in 1 working mode, proved", 0), 0U) << text;
-  EXPECT_NE(text.find("at most"), std::string::npos);
-  EXPECT_NE(text.find("no sample meets"), std::string::npos);
+  EXPECT_TRUE(test::begins(text, "stewart: at least 2 aspects in 1 working mode, proved"));
+  EXPECT_TRUE(test::has(text, "at most"));
+  EXPECT_TRUE(test::has(text, "no sample meets"));
 }
 
 TEST_F(RoadmapCommand, OptionsOfTheOtherKindOfMapAreRefused) {
@@ -148,12 +149,10 @@ TEST_F(RoadmapCommand, ConnectsWithinSlices) {
   const Outcome beside =
       run({"connect", "three_rpr", "--from", from, "--to", to, "--slice", "strut_1_joint=15"});
   EXPECT_EQ(beside.code, exit_code::bad_input);
-  EXPECT_NE(
-      beside.messages.find(
-          "--from lies 0.02 m from the slice strut_1_joint = 15 m; give a pose within "
-          "0.0004209 m of it. The nearest in the task frame is \"14.69353504 -3.016625286 2.13290437\"."),
-      std::string::npos)
-      << beside.messages;
+  EXPECT_TRUE(
+      test::has(beside.messages,
+                "--from lies 0.02 m from the slice strut_1_joint = 15 m; give a pose within 0.0004209 m of "
+                "it. The nearest in the task frame is \"14.69353504 -3.016625286 2.13290437\"."));
   EXPECT_EQ(answers(run_json({"connect", "delta", "--from", "0 0 -0.6", "--to", "0.1 0 -0.6", "--slice",
                               "z=-0.6", "--mode", "+++"})),
             (std::map<std::string, std::string>{{"[1,1,1]", "yes"}}));
@@ -169,7 +168,7 @@ TEST_F(RoadmapCommand, OneModeCanBeAskedFor) {
   for (const char* mode : {"(+,-,+)", "left", "+", "1 -1"}) {
     const Outcome outcome = run({"connect", "five_bar", "--from", "4.5 8", "--to", "4.5 7", "--mode", mode});
     EXPECT_EQ(outcome.code, exit_code::bad_input) << mode;
-    EXPECT_NE(outcome.messages.find("--mode"), std::string::npos);
+    EXPECT_TRUE(test::has(outcome.messages, "--mode"));
   }
 }
 
@@ -200,7 +199,7 @@ TEST_F(RoadmapCommand, InterruptedCommandsSayNothing) {
 // With a joint held, few digits would put it beside the slice.
 TEST_F(RoadmapCommand, TakesAPoseThatTheMapOfASlicePrinted) {
   const std::string printed = run({"map", "three_rpr", "--slice", "strut_1_joint=14.98"}).output;
-  EXPECT_NE(printed.find("bounds of direction and phi"), std::string::npos) << printed;
+  EXPECT_TRUE(test::has(printed, "bounds of direction and phi"));
   std::smatch found;
   ASSERT_TRUE(std::regex_search(printed, found, std::regex("\\((-?[0-9.e-]+, -?[0-9.e-]+, -?[0-9.e-]+)\\)")))
       << printed;
@@ -213,7 +212,7 @@ TEST_F(RoadmapCommand, TakesAPoseThatTheMapOfASlicePrinted) {
 TEST_F(RoadmapCommand, NamesMarginAndToleranceWhereNoPoseKeepsThem) {
   const std::string messages =
       run({"map", "stewart", "--margin", "parallel=0.99", "--samples", "20"}).messages;
-  EXPECT_NE(messages.find("smaller margins"), std::string::npos) << messages;
+  EXPECT_TRUE(test::has(messages, "smaller margins"));
 }
 
 }  // namespace

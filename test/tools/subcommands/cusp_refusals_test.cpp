@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/command_run.h"
+#include "support/texts.h"
 #include <string>
 #include <vector>
 
@@ -61,7 +62,7 @@ TEST_F(CuspRefusals, NameWhatASliceHolds) {
       "; give one of the actuated joints: slider_1_joint, slider_2_joint, slider_3_joint.";
   expect_refused(
       {{{"uniqueness", "three_prr", "--no-constraint", "all"},
-        "All poses of 'three_prr' are looked at within limits of its joints, and --no-constraint takes these "
+        "All poses of 'three_prr' are examined within limits of its joints, and --no-constraint takes these "
         "out; keep actuated_limits, or give --slice \"slider_1_joint=-0.2\"."},
        {{"uniqueness", "three_prr", "--slice", "slider_2_joint"},
         "--slice has 'slider_2_joint'; give one actuated joint with its value, such as "
@@ -77,21 +78,21 @@ TEST_F(CuspRefusals, NameWhatASliceHolds) {
        {{"uniqueness", "five_bar", "--slice", "crank_1_joint=0.3"},
         "In T2 every aspect is a uniqueness domain as a whole; leave --slice out."},
        {{"uniqueness", "three_rpr", "--no-constraint", "all"},
-        "All poses of 'three_rpr' are looked at within limits of its joints, and --no-constraint takes these "
+        "All poses of 'three_rpr' are examined within limits of its joints, and --no-constraint takes these "
         "out; keep actuated_limits, or give --slice \"strut_1_joint=19\"."}});
 }
 
 TEST_F(CuspRefusals, NameRangesThatAJointHas) {
-  expect_refused({{{"uniqueness", "three_rpr", "--cusps-over", "strut_1_joint=10"},
-                   "--cusps-over has 'strut_1_joint=10'; give the ends of a range, such as "
-                   "\"strut_1_joint=10:32\"."},
-                  {{"uniqueness", "three_rpr", "--cusps-over", "strut_1_joint=40:50"},
-                   "The range holds 'strut_1_joint' at 40, outside of its limits, 10 to 32; hold it inside."},
-                  {{"uniqueness", "three_rpr", "--cusps-over", "strut_1_joint", "--no-constraint", "all"},
-                   "'strut_1_joint' has no limits on both sides; give the ends of a range, such as "
-                   "\"strut_1_joint=16:31\"."},
-                  {{"uniqueness", "five_bar", "--cusps-over", "strut_1_joint"},
-                   "In T2 no three direct solutions meet, so that 'five_bar' has no cusps."}});
+  expect_refused(
+      {{{"uniqueness", "three_rpr", "--cusps-over", "strut_1_joint=10"},
+        "--cusps-over has 'strut_1_joint=10'; give the ends of a range, such as \"strut_1_joint=10:32\"."},
+       {{"uniqueness", "three_rpr", "--cusps-over", "strut_1_joint=40:50"},
+        "The range holds 'strut_1_joint' at 40, outside of its limits, 10 to 32; hold it inside."},
+       {{"uniqueness", "three_rpr", "--cusps-over", "strut_1_joint", "--no-constraint", "all"},
+        "'strut_1_joint' has no limits on both sides; give the ends of a range, such as "
+        "\"strut_1_joint=16:31\"."},
+       {{"uniqueness", "five_bar", "--cusps-over", "strut_1_joint"},
+        "In T2 no three direct solutions meet, so that 'five_bar' has no cusps."}});
 }
 
 TEST_F(CuspRefusals, SayAtOnceWhereThereAreNoCuspsToGoAround) {
@@ -103,8 +104,7 @@ TEST_F(CuspRefusals, SayAtOnceWhereThereAreNoCuspsToGoAround) {
         start + "'stewart' moves in SE3; leave it out."},
        {{"plan", "three_rpr", "--from", "-14.9 1.58 0.245", "--around-cusp", "1"},
         "--around-cusp needs a slice that holds an actuated joint, where cusps are points; give --slice with "
-        "its "
-        "value at the start, such as \"strut_1_joint=19\"."},
+        "its value at the start, such as \"strut_1_joint=19\"."},
        {{"plan", "three_rpr", "--from", "-14.9 1.58 0.245", "--slice", "phi=0.245", "--around-cusp", "1"},
         "--around-cusp needs a slice that holds an actuated joint, where cusps are points; give --slice with "
         "its value at the start, such as \"strut_1_joint=19\"."},
@@ -126,11 +126,9 @@ TEST_F(CuspRefusals, SlicesWithoutComponentsSayWhy) {
   const Outcome outcome =
       run({"uniqueness", "three_rpr", "--slice", "strut_1_joint=1e9", "--no-constraint", "all"});
   EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages;
-  EXPECT_NE(outcome.output.find("No pose is proved to lie in one; 39.48 rad^2 are undecided"),
-            std::string::npos)
-      << outcome.output;
+  EXPECT_TRUE(test::has(outcome.output, "No pose is proved to lie in one; 39.48 rad^2 are undecided"));
   for (const char* title : {"component ", "connected sets", "basic regions", "uniqueness domains"})
-    EXPECT_EQ(outcome.output.find(title), std::string::npos) << title;
+    EXPECT_FALSE(test::has(outcome.output, title)) << title;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include "support/texts.h"
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -54,7 +55,7 @@ TEST_F(MapCommandFiles, MapsAreSavedAndLoaded) {
   Outcome outcome = run(other);
   EXPECT_EQ(outcome.code, exit_code::ok);
   EXPECT_EQ(line_count(outcome.messages), 1U) << outcome.messages;
-  EXPECT_NE(outcome.messages.find("resolution"), std::string::npos) << outcome.messages;
+  EXPECT_TRUE(test::has(outcome.messages, "resolution"));
   EXPECT_EQ(json::parse(outcome.output).at("loaded"), false);
   outcome = run(other);
   EXPECT_EQ(outcome.messages, "");
@@ -85,10 +86,10 @@ TEST_F(MapCommandFiles, FilesOfMapsThatCannotBeAreRefused) {
   Outcome outcome = run({"map", "five_bar", "--resolution", "0.5", "--save", "/no/such/folder/map"});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
   EXPECT_EQ(outcome.output, "");
-  EXPECT_NE(outcome.messages.find("/no/such/folder/map"), std::string::npos) << outcome.messages;
+  EXPECT_TRUE(test::has(outcome.messages, "/no/such/folder/map"));
   outcome = run({"map", "stewart", "--load", "/no/such"});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
-  EXPECT_NE(outcome.messages.find("--load"), std::string::npos) << outcome.messages;
+  EXPECT_TRUE(test::has(outcome.messages, "--load"));
 }
 
 /// A shipped robot whose YAML has another section `map`, in a file that goes with it.
@@ -182,9 +183,8 @@ TEST_F(MapCommandFiles, TheSectionBoundsARoadmap) {
 }
 
 TEST_F(MapCommandFiles, BadSectionsAreRefusedAtOnce) {
-  const RobotWithSection robot("five_bar",
-                               "{resolution: -1, threads: 1.5, extra_levels: 21, regoin: {}, region: {lower: "
-                               "[0]}}");
+  const RobotWithSection robot(
+      "five_bar", "{resolution: -1, threads: 1.5, extra_levels: 21, regoin: {}, region: {lower: [0]}}");
   const Outcome outcome = run(robot.map({"--threads", "many"}));
   EXPECT_EQ(outcome.code, exit_code::bad_input);
   const std::string file = robot.config();
@@ -196,10 +196,9 @@ TEST_F(MapCommandFiles, BadSectionsAreRefusedAtOnce) {
                 " does not say map.region.upper; give the corner in m.\n"
                 "--threads is 'many'; give a whole number from 0 to 1024.\n");
   const RobotWithSection wrong("five_bar", "{region: {lower: [0, 0, 0], upper: [1, 1, 1]}}");
-  EXPECT_EQ(run(wrong.map()).messages,
-            wrong.config() +
-                " has a map.region with 3 and 3 numbers; give 2 in lower and in upper, one a direction that "
-                "the platform moves in.\n");
+  EXPECT_EQ(run(wrong.map()).messages, wrong.config() +
+                                           " has a map.region with 3 and 3 numbers; give 2 in lower and in "
+                                           "upper, one a direction that the platform moves in.\n");
 }
 
 // Cones leave one of eight working modes, and limits of the motors bound it.

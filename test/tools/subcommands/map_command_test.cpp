@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include "support/texts.h"
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
@@ -56,11 +57,11 @@ TEST_F(MapCommand, MapHasTheDocumentedFields) {
 TEST_F(MapCommand, CountsClaimNoMoreThanIsProved) {
   const std::string proved = run({"map", "five_bar", "--resolution", "0.5"}).output;
   EXPECT_EQ(proved.substr(0, proved.find('\n')), "five_bar: exactly 10 aspects (proved); 4 working modes");
-  EXPECT_EQ(proved.find("may hide"), std::string::npos);
+  EXPECT_FALSE(test::has(proved, "may hide"));
   const std::string apart = run({"map", "three_prr", "--resolution", "0.2"}).output;
   EXPECT_EQ(apart.substr(0, apart.find('\n')),
             "three_prr: at least 16 aspects (16 components; all proved distinct); 8 working modes");
-  EXPECT_NE(apart.find("; smaller aspects may hide there, which --complete looks for\n"), std::string::npos);
+  EXPECT_TRUE(test::has(apart, "; smaller aspects may hide there, which --complete searches\n"));
 }
 
 TEST_F(MapCommand, CountsSayWhereTheyAreOfLessThanTheRobot) {
@@ -80,20 +81,19 @@ TEST_F(MapCommand, CountsSayWhereTheyAreOfLessThanTheRobot) {
 TEST_F(MapCommand, SmallAspectsAreOneLineUnlessAskedFor) {
   const std::vector<const char*> question{"map", "five_bar", "--region", "x=0:9 y=-9.5:9.5"};
   const std::string text = run(question).output;
-  EXPECT_NE(text.find("\nand 2 more, each below 1 % of the largest, together 0.1304"), std::string::npos)
-      << text;
-  EXPECT_EQ(text.find("\n 7  "), std::string::npos);
+  EXPECT_TRUE(test::has(text, "\nand 2 more, each below 1 % of the largest, together 0.1304"));
+  EXPECT_FALSE(test::has(text, "\n 7  "));
   std::vector<const char*> all = question;
   all.push_back("--all");
   const std::string whole = run(all).output;
-  EXPECT_EQ(whole.find(" more, each below"), std::string::npos);
-  EXPECT_NE(whole.find("\n 7  "), std::string::npos) << whole;
+  EXPECT_FALSE(test::has(whole, " more, each below"));
+  EXPECT_TRUE(test::has(whole, "\n 7  "));
 }
 
 TEST_F(MapCommand, EmptyRegionsAreNotPrinted) {
   const std::string text = run({"map", "agile_eye", "--resolution", "0.5"}).output;
-  EXPECT_EQ(text.find("region"), std::string::npos) << text;
-  EXPECT_EQ(text.find("bounds"), std::string::npos) << text;
+  EXPECT_FALSE(test::has(text, "region"));
+  EXPECT_FALSE(test::has(text, "bounds"));
 }
 
 TEST_F(MapCommand, ReportsWhichSymmetriesItUsed) {
@@ -142,9 +142,8 @@ TEST_F(MapCommand, ProvesForRobotsWithinATolerance) {
   const auto with = [](const char* share) {
     return run({"map", "five_bar", "--resolution", "0.5", "--tolerance", share});
   };
-  EXPECT_NE(with("0.001").output.find("for every robot whose points and lengths are within 0.022 m"),
-            std::string::npos);
-  EXPECT_EQ(with("0").output.find("for every robot"), std::string::npos);
+  EXPECT_TRUE(test::has(with("0.001").output, "for every robot whose points and lengths are within 0.022 m"));
+  EXPECT_FALSE(test::has(with("0").output, "for every robot"));
   for (const char* wrong : {"0.2", "-0.1", "nan", "small"}) EXPECT_NE(with(wrong).code, 0) << wrong;
 }
 
@@ -172,7 +171,7 @@ TEST_F(MapCommand, MarginsAndIndicesThatAreNoneAreRefused) {
   for (const auto& question : questions) {
     const Outcome outcome = run({"map", "five_bar", question[0], question[1]});
     EXPECT_EQ(outcome.code, exit_code::bad_input) << question[1];
-    EXPECT_NE(outcome.messages.find("parallel"), std::string::npos) << outcome.messages;
+    EXPECT_TRUE(test::has(outcome.messages, "parallel"));
   }
   const auto message = [](std::vector<const char*> options) {
     options.insert(options.begin(), {"map", "five_bar", "--resolution", "1"});
@@ -186,7 +185,7 @@ TEST_F(MapCommand, MarginsAndIndicesThatAreNoneAreRefused) {
   EXPECT_NE(message({"--constraint", "margins"}), "");
   const Outcome roadmap = run({"map", "stewart", "--persistence"});
   EXPECT_EQ(roadmap.code, exit_code::bad_input);
-  EXPECT_NE(roadmap.messages.find("--persistence is for maps of boxes"), std::string::npos);
+  EXPECT_TRUE(test::has(roadmap.messages, "--persistence is for maps of boxes"));
 }
 
 // A margin of the option takes the place of the YAML's of that name; those that it does not name hold.
@@ -213,14 +212,13 @@ TEST_F(MapCommand, MarginsOfTheOptionAreOverThoseOfTheYaml) {
     words.insert(words.end(), {"--urdf", urdf.c_str(), "--config", config.c_str()});
     return run(words).output;
   };
-  EXPECT_NE(told({"describe"}).find("\nmargins from singularities: parallel 0.9, serial 0.1"),
-            std::string::npos);
-  EXPECT_NE(told({"map", "--resolution", "1"}).find("\nconstraints: margins (parallel 0.9, serial 0.1)"),
-            std::string::npos);
+  EXPECT_TRUE(test::has(told({"describe"}), "\nmargins from singularities: parallel 0.9, serial 0.1"));
+  EXPECT_TRUE(
+      test::has(told({"map", "--resolution", "1"}), "\nconstraints: margins (parallel 0.9, serial 0.1)"));
   for (const char* command : {"ik", "distance"}) {
     const std::string answer = told({command, "--pose", "4.5 2"});
-    EXPECT_NE(answer.find("the parallel index is 0."), std::string::npos) << answer;
-    EXPECT_NE(answer.find(", below the margin 0.9"), std::string::npos) << answer;
+    EXPECT_TRUE(test::has(answer, "the parallel index is 0."));
+    EXPECT_TRUE(test::has(answer, ", below the margin 0.9"));
   }
 }
 
@@ -242,17 +240,16 @@ TEST_F(MapCommand, PersistenceListsBasins) {
       run({"map", "five_bar", "--persistence", "--persistence-picture", file.c_str()}).output;
   std::ifstream stream(file);
   const std::string svg{std::istreambuf_iterator<char>(stream), {}};
-  EXPECT_NE(svg.find("five_bar: basins of its aspects"), std::string::npos);
-  EXPECT_NE(svg.find("aspect 10 (-,-)"), std::string::npos);
-  EXPECT_NE(svg.find(">det A &gt; 0</text>"), std::string::npos) << "what the colours mean";
+  EXPECT_TRUE(test::has(svg, "five_bar: basins of its aspects"));
+  EXPECT_TRUE(test::has(svg, "aspect 10 (-,-)"));
+  EXPECT_TRUE(test::has(svg, ">det A &gt; 0</text>")) << "what the colours mean";
   std::size_t bars = 0;
   for (std::size_t at = svg.find("<rect x"); at != std::string::npos; at = svg.find("<rect x", at + 1))
     ++bars;
   EXPECT_GE(bars, 20U) << "two for each aspect, dark and light";
-  EXPECT_NE(
-      text.find(
-          "\nbasins: parts of aspects that a larger margin separates, and the index at which they merge\n"),
-      std::string::npos);
+  EXPECT_TRUE(test::has(
+      text,
+      "\nbasins: parts of aspects that a larger margin separates, and the index at which they merge\n"));
 }
 
 // Where the limits cut nothing, or are nearly a full turn, the counts are the same.
@@ -261,20 +258,18 @@ TEST_F(MapCommand, CountsWithoutLimitsAreReported) {
   EXPECT_EQ(bipod.at("without_limits").at("components"), 2);
   EXPECT_EQ(bipod.at("without_limits").at("left_out"), json::array({"actuated_limits"}));
   const std::string told = "without limits of joints there are ";
-  EXPECT_EQ(run({"map", "bipod", "--resolution", "0.2"}).output.find(told), std::string::npos) << "the same";
+  EXPECT_FALSE(test::has(run({"map", "bipod", "--resolution", "0.2"}).output, told)) << "the same";
   const std::string data = PARALLEL_ASPECTS_SOURCE_DIR "/test/data/";
   const std::string urdf = data + "nearly_a_turn.urdf", config = data + "strict_limits.yaml";
   const Outcome strict = run({"map", "--urdf", urdf.c_str(), "--config", config.c_str()});
-  EXPECT_NE(
-      strict.output.find(told + "10 in place of 20 components here; --no-constraint "
-                                "actuated_limits,passive_limits leaves them out, and so does constraints: "
-                                "{actuated_limits: false, passive_limits: false} in the YAML"),
-      std::string::npos)
-      << strict.output;
+  EXPECT_TRUE(test::has(
+      strict.output,
+      told + "10 in place of 20 components here; --no-constraint actuated_limits,passive_limits leaves them "
+             "out, and so does constraints: {actuated_limits: false, passive_limits: false} in the YAML"));
   const std::string lenient = data + "nearly_a_turn.yaml";
   const Outcome whole = run({"map", "--urdf", urdf.c_str(), "--config", lenient.c_str()});
-  EXPECT_EQ(whole.output.find(told), std::string::npos) << whole.output;
-  EXPECT_NE(whole.output.find("which bounds no aspect: 'crank_1_joint'"), std::string::npos) << whole.output;
+  EXPECT_FALSE(test::has(whole.output, told));
+  EXPECT_TRUE(test::has(whole.output, "which bounds no aspect: 'crank_1_joint'"));
   EXPECT_FALSE(run_json({"map", "five_bar", "--resolution", "0.5"}).contains("without_limits"));
 }
 
@@ -340,7 +335,7 @@ TEST_F(MapCommand, NeighboursAreReportedWhereAsked) {
   EXPECT_EQ(first.at("pose").size(), 2U);
   EXPECT_EQ(map.at("neighbours").at(1).at("leg"), "leg_1");
   EXPECT_TRUE(run_json({"map", "five_bar"}).at("neighbours").is_null());
-  EXPECT_NE(run({"map", "five_bar", "--neighbours"}).output.find("B_jj = 0 of leg_1"), std::string::npos);
+  EXPECT_TRUE(test::has(run({"map", "five_bar", "--neighbours"}).output, "B_jj = 0 of leg_1"));
   EXPECT_EQ(run({"map", "stewart", "--neighbours"}).code, exit_code::bad_input);
 }
 
@@ -353,12 +348,12 @@ TEST_F(MapCommand, MapsWithTwoCoordinatesAreDrawn) {
             exit_code::ok);
   std::ifstream stream(file);
   const std::string svg{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  EXPECT_EQ(svg.rfind("<svg ", 0), 0U);
+  EXPECT_TRUE(test::begins(svg, "<svg "));
   EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
-  EXPECT_NE(svg.find(">working mode (+,+,+)<"), std::string::npos);
-  EXPECT_NE(svg.find(">working mode (-,+,+)<"), std::string::npos);
-  EXPECT_EQ(svg.find(">working mode (+,-,+)<"), std::string::npos);
-  EXPECT_NE(svg.find("slice phi = 0 rad"), std::string::npos);
+  EXPECT_TRUE(test::has(svg, ">working mode (+,+,+)<"));
+  EXPECT_TRUE(test::has(svg, ">working mode (-,+,+)<"));
+  EXPECT_FALSE(test::has(svg, ">working mode (+,-,+)<"));
+  EXPECT_TRUE(test::has(svg, "slice phi = 0 rad"));
   std::filesystem::remove(file);
   EXPECT_EQ(run({"map", "five_bar", "--picture", "/no/such/folder/a.svg"}).code, exit_code::bad_input);
 }
@@ -379,10 +374,9 @@ TEST_F(MapCommand, APictureOfMoreCoordinatesNamesASliceThatHasOne) {
     EXPECT_FALSE(map.at("aspects").empty()) << robot << " at " << held;
     std::filesystem::remove(file);
   }
-  EXPECT_EQ(
-      run({"map", "agile_eye", "--picture", file.c_str()}).messages,
-      "--picture is of two coordinates, but the map has 3; leave it out, and draw a section with `aspects "
-      "plot`, such as --section \"torsion=0\".\n");
+  EXPECT_EQ(run({"map", "agile_eye", "--picture", file.c_str()}).messages,
+            "--picture is of two coordinates, but the map has 3; leave it out, and draw a section with "
+            "`aspects plot`, such as --section \"torsion=0\".\n");
 }
 
 TEST_F(MapCommand, BadSlicesAreRefused) {
@@ -391,8 +385,7 @@ TEST_F(MapCommand, BadSlicesAreRefused) {
        "A slice of T3 has no coordinate 'phi'; hold some of x, y and z.\n"},
       {{"map", "three_rpr", "--slice", "strut_4_joint=15"},
        "'three_rpr' has no pose coordinate or actuated joint 'strut_4_joint'; hold some of x, y and phi, or "
-       "one "
-       "of strut_1_joint, strut_2_joint or strut_3_joint.\n"},
+       "one of strut_1_joint, strut_2_joint or strut_3_joint.\n"},
       {{"map", "three_rpr", "--slice", "strut_1_joint=15", "--region", "x=0:1"},
        "--region is of positions, but here every direction and orientation is searched and no more; leave it "
        "out.\n"},
@@ -419,8 +412,8 @@ TEST_F(MapCommand, BadSlicesAreRefused) {
 
 TEST_F(MapCommand, AMapWithoutAspectsSaysWhy) {
   const std::string text = run({"map", "five_bar", "--region", "x=50:60 y=0:3"}).output;
-  EXPECT_NE(text.find("exactly 0 aspects"), std::string::npos) << text;
-  EXPECT_NE(text.find("note: The region lies outside of what the legs can reach"), std::string::npos) << text;
+  EXPECT_TRUE(test::has(text, "exactly 0 aspects"));
+  EXPECT_TRUE(test::has(text, "note: The region lies outside of what the legs can reach"));
   EXPECT_TRUE(run_json({"map", "five_bar", "--region", "x=50:60 y=0:3"})["no_aspect"].is_string());
   EXPECT_TRUE(run_json({"map", "five_bar"})["no_aspect"].is_null());
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include "support/texts.h"
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -49,12 +50,11 @@ TEST_F(GraphCommand, HasTheTwoSetsOfTheFiveBar) {
 TEST_F(GraphCommand, SaysWhyNothingIsJoined) {
   const Outcome empty = run({"graph", "three_rpr", "--slice", "x=100"});
   EXPECT_EQ(empty.code, exit_code::ok);
-  EXPECT_NE(empty.output.find("holds no part of an aspect"), std::string::npos) << empty.output;
+  EXPECT_TRUE(test::has(empty.output, "holds no part of an aspect"));
   const json bipod = run_json({"graph", "bipod"});
-  EXPECT_EQ(
-      bipod.at("reason"),
-      "2 aspects in 2 sets, each one aspect: with one working mode there are no serial gates; proved to "
-      "be different");
+  EXPECT_EQ(bipod.at("reason"),
+            "2 aspects in 2 sets, each one aspect: with one working mode there are no serial gates; proved "
+            "to be different");
 }
 
 // The gate of the bipod lies on y = 0, where faces between leaves do.
@@ -85,16 +85,16 @@ TEST_F(GraphCommand, GoesOverARoadmapWithSixDegreesOfFreedom) {
       EXPECT_TRUE(gate.contains(key)) << key;
   const Outcome picture = run({"graph", "stewart", "--picture", "graph.svg"});
   EXPECT_EQ(picture.code, exit_code::bad_input);
-  EXPECT_NE(picture.messages.find("--dot"), std::string::npos) << picture.messages;
+  EXPECT_TRUE(test::has(picture.messages, "--dot"));
   EXPECT_EQ(run({"graph", "five_bar", "--samples", "60"}).code, exit_code::bad_input);
 }
 
 TEST_F(GraphCommand, IsDrawnByGraphviz) {
   const Outcome outcome = run({"graph", "five_bar", "--dot"});
   EXPECT_EQ(outcome.code, exit_code::ok);
-  EXPECT_EQ(outcome.output.rfind("graph aspects {", 0), 0U) << outcome.output;
-  EXPECT_NE(outcome.output.find("cluster_2"), std::string::npos);
-  EXPECT_NE(outcome.output.find("label=\"leg 1\""), std::string::npos);
+  EXPECT_TRUE(test::begins(outcome.output, "graph aspects {"));
+  EXPECT_TRUE(test::has(outcome.output, "cluster_2"));
+  EXPECT_TRUE(test::has(outcome.output, "label=\"leg 1\""));
 }
 
 // A circle for each aspect and a line for each gate, beside those of the legend.
@@ -108,13 +108,13 @@ TEST_F(GraphCommand, IsDrawnAsSvg) {
     for (std::size_t at = svg.find(what); at != std::string::npos; at = svg.find(what, at + 1)) ++found;
     return found;
   };
-  EXPECT_EQ(svg.rfind("<svg", 0), 0U);
+  EXPECT_TRUE(test::begins(svg, "<svg"));
   EXPECT_EQ(count("<circle"), graph.at("aspects").size());
   EXPECT_EQ(count("<path"), graph.at("gates").size());
   EXPECT_EQ(count("<line"), 4U);
   const Outcome nowhere = run({"graph", "five_bar", "--picture", "/nowhere/graph.svg"});
   EXPECT_EQ(nowhere.code, exit_code::bad_input);
-  EXPECT_NE(nowhere.messages.find("--picture"), std::string::npos) << nowhere.messages;
+  EXPECT_TRUE(test::has(nowhere.messages, "--picture"));
 }
 
 TEST_F(PlanCommand, PassesAGateWhereThatIsAllowed) {
@@ -165,30 +165,23 @@ TEST_F(PlanCommand, NamesWhatIsWrong) {
     EXPECT_EQ(outcome.output, "");
     return outcome.messages;
   };
-  EXPECT_NE(refusal({"plan", "five_bar", "--from", "4.5", "--to", "4.5 6"}).find("--from"),
-            std::string::npos);
-  EXPECT_NE(
-      refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--policy", "fly"}).find("'fly'"),
-      std::string::npos);
-  EXPECT_NE(
-      refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--samples", "9", "--policy", "any"})
-          .find("leave --samples and --seed out"),
-      std::string::npos);
-  EXPECT_NE(
-      refusal({"plan", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to", "0 0 1.2 0 0 0 1", "--policy", "any"})
-          .find("--policy any needs a map"),
-      std::string::npos);
-  EXPECT_NE(
-      refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--prefer", "best"}).find("'best'"),
-      std::string::npos);
-  EXPECT_NE(
-      refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--prefer", "fast", "--policy", "any"})
-          .find("--prefer fast needs a platform that is under control"),
-      std::string::npos);
-  EXPECT_NE(refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--prefer", "fast",
-                     "--acceleration", "0 1"})
-                .find("--acceleration has a number that is not positive"),
-            std::string::npos);
+  EXPECT_TRUE(test::has(refusal({"plan", "five_bar", "--from", "4.5", "--to", "4.5 6"}), "--from"));
+  EXPECT_TRUE(test::has(refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--policy", "fly"}),
+                        "'fly'"));
+  EXPECT_TRUE(test::has(
+      refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--samples", "9", "--policy", "any"}),
+      "leave --samples and --seed out"));
+  EXPECT_TRUE(test::has(
+      refusal({"plan", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to", "0 0 1.2 0 0 0 1", "--policy", "any"}),
+      "--policy any needs a map"));
+  EXPECT_TRUE(test::has(refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--prefer", "best"}),
+                        "'best'"));
+  EXPECT_TRUE(test::has(refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--prefer", "fast",
+                                 "--policy", "any"}),
+                        "--prefer fast needs a platform that is under control"));
+  EXPECT_TRUE(test::has(refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--prefer", "fast",
+                                 "--acceleration", "0 1"}),
+                        "--acceleration has a number that is not positive"));
 }
 
 TEST_F(PlanCommand, TakesThePathThatIsPreferred) {
@@ -207,7 +200,7 @@ TEST_F(PlanCommand, TakesThePathThatIsPreferred) {
 
 TEST_F(PlanCommand, NamesTheWorkingModeOfAPathThatStays) {
   const json path = run_json({"plan", "five_bar", "--from", "4.5 8", "--to", "4 6"});
-  EXPECT_NE(path.at("reason").get<std::string>().find("in the working mode ("), std::string::npos);
+  EXPECT_TRUE(test::has(path.at("reason").get<std::string>(), "in the working mode ("));
 }
 
 // An assembly mode of actuated values is told by a pose near it; an aspect by its number.
@@ -222,13 +215,13 @@ TEST_F(PlanCommand, TakesActuatedValuesAndAspects) {
   EXPECT_NEAR(again.at("path")[0].at("pose").at("y").get<double>(), 8.0, 1e-4);
   const Outcome several = run({"plan", "five_bar", "--from-joints", joints.c_str(), "--to", "4 6"});
   EXPECT_EQ(several.code, exit_code::bad_input);
-  EXPECT_NE(several.messages.find("several poses"), std::string::npos) << several.messages;
+  EXPECT_TRUE(test::has(several.messages, "several poses"));
   const json aspects =
       run_json({"plan", "five_bar", "--from-aspect", "1", "--to-aspect", "3", "--policy", "serial"});
   EXPECT_EQ(aspects.at("answer"), "yes");
   const Outcome none = run({"plan", "five_bar", "--from-aspect", "11", "--to", "4 6"});
   EXPECT_EQ(none.code, exit_code::bad_input);
-  EXPECT_NE(none.messages.find("the aspects 1 to 10"), std::string::npos) << none.messages;
+  EXPECT_TRUE(test::has(none.messages, "the aspects 1 to 10"));
 }
 
 // By a whole turn as the robot stands, which a trajectory must begin with.
@@ -243,8 +236,8 @@ TEST_F(PlanCommand, BeginsInTheTurnThatIsGiven) {
   EXPECT_NEAR(first("-5.7997053 1.02791"), -5.7997053, 1e-9);
   const json goal = run_json({"plan", "five_bar", "--to-joints", "6.7666653 1.02791", "--to", "4.5 8",
                               "--from", "4 6", "--from-mode", "(+,+)"});
-  EXPECT_NE(goal.at("reason").get<std::string>().find("'crank_1_joint' arrives at 0.48348, whole turns"),
-            std::string::npos)
+  EXPECT_TRUE(
+      test::has(goal.at("reason").get<std::string>(), "'crank_1_joint' arrives at 0.48348, whole turns"))
       << goal.at("reason");
 }
 
@@ -253,7 +246,7 @@ TEST_F(PlanCommand, RefusesNumbersThatProofsDoNotReach) {
     const Outcome outcome =
         run({"plan", "five_bar", "--from-joints", joints, "--from", "4.5 8", "--to", "4 6"});
     EXPECT_EQ(outcome.code, exit_code::bad_input);
-    EXPECT_NE(outcome.messages.find("--from-joints has"), std::string::npos) << outcome.messages;
+    EXPECT_TRUE(test::has(outcome.messages, "--from-joints has"));
   }
   EXPECT_EQ(run({"plan", "five_bar", "--from", "4 6", "--to", "1e13 0"}).code, exit_code::bad_input);
 }
@@ -263,11 +256,10 @@ TEST_F(PlanCommand, NamesALegThatIsStretchedOrFolded) {
   for (const char* end : {"3 0", "13 0", "0 -3"}) {
     const Outcome outcome = run({"plan", "five_bar", "--from", end, "--to", "4 6"});
     EXPECT_EQ(outcome.code, exit_code::proved_no);
-    EXPECT_NE(outcome.output.find("leg 'leg_1' is stretched or folded there (B_jj = 0)"), std::string::npos)
-        << outcome.output;
+    EXPECT_TRUE(test::has(outcome.output, "leg 'leg_1' is stretched or folded there (B_jj = 0)"));
   }
   const Outcome beyond = run({"plan", "five_bar", "--from", "2.999 0", "--to", "4 6"});
-  EXPECT_NE(beyond.output.find("leg 'leg_1' cannot reach it"), std::string::npos) << beyond.output;
+  EXPECT_TRUE(test::has(beyond.output, "leg 'leg_1' cannot reach it"));
 }
 
 // Before a map is computed, which would take long at this resolution.
@@ -280,16 +272,13 @@ TEST_F(PlanCommand, RefusesEndsThatNoAspectHoldsBeforeTheMap) {
   };
   const Outcome far = to({"5 5 5"});
   EXPECT_EQ(far.code, exit_code::proved_no);
-  EXPECT_NE(far.output.find("no aspect holds the goal: leg 'leg_1' cannot reach it."), std::string::npos)
-      << far.output;
+  EXPECT_TRUE(test::has(far.output, "no aspect holds the goal: leg 'leg_1' cannot reach it."));
   const Outcome margin = to({"0 0 -0.9", "--margin", "parallel=0.9"});
   EXPECT_EQ(margin.code, exit_code::proved_no);
-  EXPECT_NE(margin.output.find("Proved: no aspect holds the start: in (-,-,-) the parallel index is"),
-            std::string::npos)
-      << margin.output;
+  EXPECT_TRUE(
+      test::has(margin.output, "Proved: no aspect holds the start: in (-,-,-) the parallel index is"));
   const Outcome one_mode = to({"0 0 -0.9", "--margin", "parallel=0.9", "--from-mode", "(+,+,+)"});
-  EXPECT_NE(one_mode.output.find("holds the start: the parallel index is 0."), std::string::npos)
-      << one_mode.output;
+  EXPECT_TRUE(test::has(one_mode.output, "holds the start: the parallel index is 0."));
 }
 
 TEST_F(PlanCommand, SavesTheMapAndSaysWhetherItIsUsed) {
@@ -303,11 +292,11 @@ TEST_F(PlanCommand, SavesTheMapAndSaysWhetherItIsUsed) {
   };
   EXPECT_EQ(run_json(with("--save")).at("loaded"), false);
   EXPECT_EQ(run_json(with("--load")).at("loaded"), true);
-  EXPECT_NE(run(with("--load")).output.find("the map is that of " + file), std::string::npos);
+  EXPECT_TRUE(test::has(run(with("--load")).output, "the map is that of " + file));
   const json graph = run_json({"graph", "five_bar", "--load", file.c_str()});
   EXPECT_EQ(graph.at("loaded"), true);
   const Outcome other = run({"plan", "bipod", "--from", "2 3", "--to", "1.8 3", "--load", file.c_str()});
-  EXPECT_NE(other.output.find("the map was computed, as " + file + " does not have it"), std::string::npos)
+  EXPECT_TRUE(test::has(other.output, "the map was computed, as " + file + " does not have it"))
       << other.output << other.messages;
   const Outcome nowhere =
       run({"plan", "five_bar", "--from", "4.5 8", "--to", "4 6", "--save", "/nowhere/map"});
@@ -318,7 +307,7 @@ TEST_F(PlanCommand, SavesTheMapAndSaysWhetherItIsUsed) {
 TEST_F(PlanCommand, AsksForAnEndAndRefusesTwo) {
   const Outcome none = run({"plan", "five_bar", "--to", "4 6"});
   EXPECT_EQ(none.code, exit_code::bad_usage);
-  EXPECT_NE(none.messages.find("--from is required; give a pose"), std::string::npos) << none.messages;
+  EXPECT_TRUE(test::has(none.messages, "--from is required; give a pose"));
   const Outcome two = run({"plan", "five_bar", "--from-aspect", "1", "--from", "4 6", "--to", "4 6"});
   EXPECT_EQ(two.code, exit_code::bad_input);
 }
@@ -327,20 +316,16 @@ TEST_F(PlanCommand, NamesTheNearestPoseOfTheSlice) {
   const Outcome outcome =
       run({"plan", "delta", "--slice", "z=-0.6", "--from", "0 0 -0.7", "--to", "0.1 0 -0.6"});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
-  EXPECT_NE(outcome.messages.find("--from lies 0.1 m from the slice"), std::string::npos) << outcome.messages;
-  EXPECT_NE(outcome.messages.find("The nearest in the task frame is \"0 0 -0.6\"."), std::string::npos)
-      << outcome.messages;
+  EXPECT_TRUE(test::has(outcome.messages, "--from lies 0.1 m from the slice"));
+  EXPECT_TRUE(test::has(outcome.messages, "The nearest in the task frame is \"0 0 -0.6\"."));
 }
 
 TEST_F(PlanCommand, BeginsOnTheSliceNextToAPoseOfATable) {
   const Outcome outcome = run({"plan", "three_rpr", "--slice", "strut_1_joint=15", "--no-constraint", "all",
                                "--from", "-14.916 1.58508 0.24531", "--around-cusp", "3"});
   EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages;
-  EXPECT_NE(outcome.output.find("the start is moved onto the slice, by at most 1.55131e-05 m: "),
-            std::string::npos)
-      << outcome.output;
-  EXPECT_NE(outcome.output.find("from \"-14.91601543 1.585081639 0.24531\" to "), std::string::npos)
-      << outcome.output;
+  EXPECT_TRUE(test::has(outcome.output, "the start is moved onto the slice, by at most 1.55131e-05 m: "));
+  EXPECT_TRUE(test::has(outcome.output, "from \"-14.91601543 1.585081639 0.24531\" to "));
 }
 
 /// What stands in quotes behind these words; empty where they are not there.
@@ -359,8 +344,8 @@ TEST_F(PlanCommand, NamesAStartInTheComponentOfACusp) {
   const Outcome none = run(other);
   const std::string& text = none.output;
   EXPECT_EQ(none.code, exit_code::not_proved);
-  EXPECT_NE(text.find("found in component 2, which holds the start."), std::string::npos) << text;
-  EXPECT_NE(text.find("Cusp 6 belongs to component 3;"), std::string::npos) << text;
+  EXPECT_TRUE(test::has(text, "found in component 2, which holds the start."));
+  EXPECT_TRUE(test::has(text, "Cusp 6 belongs to component 3;"));
   const std::string pose = quoted_behind("--from", text), values = quoted_behind("values are", text);
   again.insert(again.end(), {"--from", pose.c_str()});
   EXPECT_EQ(run_json(again).at("answer"), "yes") << text;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include "support/texts.h"
 #include <atomic>
 #include <fstream>
 #include <iterator>
@@ -36,7 +37,7 @@ TEST_F(PlotCommand, DrawsTheFiveBar) {
   EXPECT_EQ(report.at("picture"), svg);
   EXPECT_EQ(report.at("working_modes").size(), 4U);
   const std::string text = test::contents_of(svg);
-  EXPECT_EQ(text.rfind("<svg", 0), 0U);
+  EXPECT_TRUE(test::begins(text, "<svg"));
   EXPECT_EQ(count(text, "<title>aspect "), 20U) << "in the workspace and in joint space";
   EXPECT_EQ(count(text, "<title>parallel"), 12U);
   EXPECT_LT(text.size(), 300000U);
@@ -44,7 +45,7 @@ TEST_F(PlotCommand, DrawsTheFiveBar) {
 
 TEST_F(PlotCommand, TheEndingSaysWhichFormat) {
   EXPECT_EQ(run({"plot", "bipod", "-o", png.c_str()}).code, exit_code::ok);
-  EXPECT_EQ(test::contents_of(png).rfind("\x89PNG", 0), 0U);
+  EXPECT_TRUE(test::begins(test::contents_of(png), "\x89PNG"));
   const Outcome other = run({"plot", "bipod", "-o", "a.jpg"});
   EXPECT_EQ(other.code, exit_code::bad_input);
   EXPECT_EQ(other.messages,
@@ -55,7 +56,7 @@ TEST_F(PlotCommand, SectionsOfThreeCoordinates) {
   const Outcome cut =
       run({"plot", "three_prr", "-o", svg.c_str(), "--resolution", "0.1", "--section", "phi=0"});
   EXPECT_EQ(cut.code, exit_code::ok) << cut.messages;
-  EXPECT_NE(test::contents_of(svg).find("Section phi = 0 rad"), std::string::npos);
+  EXPECT_TRUE(test::has(test::contents_of(svg), "Section phi = 0 rad"));
 }
 
 TEST_F(PlotCommand, SaysWhatToDoInstead) {
@@ -93,7 +94,7 @@ TEST_F(PlotCommand, NeverWritesOverItsInput) {
   const Outcome outcome =
       run({"plot", "--urdf", urdf.c_str(), "--config", config.c_str(), "-o", urdf.c_str()});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
-  EXPECT_NE(outcome.messages.find("would be overwritten"), std::string::npos) << outcome.messages;
+  EXPECT_TRUE(test::has(outcome.messages, "would be overwritten"));
   EXPECT_EQ(test::contents_of(urdf), shipped);
 }
 

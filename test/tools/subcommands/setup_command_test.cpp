@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include "support/texts.h"
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -61,13 +62,11 @@ class SetupCommand : public test::CommandTest {
 TEST_F(SetupCommand, WritesWhatLoadsAndSaysWhatIsNext) {
   const Outcome outcome = run({"setup", five_bar_.c_str(), "-o", output_.c_str()});
   ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages;
-  EXPECT_NE(outcome.output.find("five_bar: fully parallel, task space T2"), std::string::npos);
-  EXPECT_NE(outcome.output.find("\n  aspects map " + five_bar_ + " " + output_ + "\n"), std::string::npos)
-      << outcome.output;
+  EXPECT_TRUE(test::has(outcome.output, "five_bar: fully parallel, task space T2"));
+  EXPECT_TRUE(test::has(outcome.output, "\n  aspects map " + five_bar_ + " " + output_ + "\n"));
   EXPECT_EQ(run({"describe", "--urdf", five_bar_.c_str(), "--config", output_.c_str()}).code, exit_code::ok);
-  EXPECT_NE(written().find("# Actuated joints, one a leg: "), std::string::npos) << written();
-  EXPECT_NE(outcome.output.find("\n  roslaunch " + launch_ + " simulated:=true\n"), std::string::npos)
-      << outcome.output;
+  EXPECT_TRUE(test::has(written(), "# Actuated joints, one a leg: "));
+  EXPECT_TRUE(test::has(outcome.output, "\n  roslaunch " + launch_ + " simulated:=true\n"));
   EXPECT_TRUE(fs::exists(launch_));
 }
 
@@ -94,22 +93,21 @@ TEST_F(SetupCommand, TheLaunchFileNamesWhatLiesBesideItFromThere) {
   const fs::path beside = folder_ / "my & robot.urdf";
   fs::copy(five_bar_, beside);
   ASSERT_EQ(run({"setup", beside.c_str(), "-o", output_.c_str()}).code, exit_code::ok);
-  EXPECT_NE(launch().find("value=\"$(dirname)/my &amp; robot.urdf\""), std::string::npos) << launch();
-  EXPECT_NE(launch().find("value=\"$(dirname)/robot.yaml\""), std::string::npos) << launch();
+  EXPECT_TRUE(test::has(launch(), "value=\"$(dirname)/my &amp; robot.urdf\""));
+  EXPECT_TRUE(test::has(launch(), "value=\"$(dirname)/robot.yaml\""));
   ASSERT_EQ(run({"setup", five_bar_.c_str(), "-o", output_.c_str(), "--replace"}).code, exit_code::ok);
-  EXPECT_NE(launch().find("value=\"" + fs::canonical(five_bar_).string() + "\""), std::string::npos)
-      << launch();
+  EXPECT_TRUE(test::has(launch(), "value=\"" + fs::canonical(five_bar_).string() + "\""));
 }
 
 TEST_F(SetupCommand, LeavesALaunchFileThatExists) {
   std::ofstream(launch_) << "mine\n";
   const Outcome outcome = run({"setup", five_bar_.c_str(), "-o", output_.c_str()});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
-  EXPECT_NE(outcome.messages.find("is left as it is: " + launch_), std::string::npos) << outcome.messages;
+  EXPECT_TRUE(test::has(outcome.messages, "is left as it is: " + launch_));
   EXPECT_EQ(launch(), "mine\n");
   EXPECT_FALSE(fs::exists(output_));
   const Outcome same = run({"setup", five_bar_.c_str(), "-o", launch_.c_str(), "--replace"});
-  EXPECT_NE(same.messages.find("ends with .yaml"), std::string::npos) << same.messages;
+  EXPECT_TRUE(test::has(same.messages, "ends with .yaml"));
   EXPECT_EQ(launch(), "mine\n");
 }
 
@@ -119,7 +117,7 @@ TEST_F(SetupCommand, PrintsNoNumbersThatAreNoise) {
     const std::string robot = urdf("test/data/setup/" + std::string(name) + ".urdf");
     const std::string told =
         run({"setup", robot.c_str(), "-o", (folder_ / (std::string(name) + ".yaml")).c_str()}).output;
-    EXPECT_NE(told.find("home pose: "), std::string::npos) << told;
+    EXPECT_TRUE(test::has(told, "home pose: "));
     EXPECT_FALSE(std::regex_search(told, std::regex("-0[,) \"\n]|e-1[0-9]"))) << told;
   }
 }
@@ -128,7 +126,7 @@ TEST_F(SetupCommand, LeavesAFileThatExists) {
   std::ofstream(output_) << "mine\n";
   const Outcome outcome = run({"setup", five_bar_.c_str(), "-o", output_.c_str()});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
-  EXPECT_NE(outcome.messages.find("is left as it is"), std::string::npos);
+  EXPECT_TRUE(test::has(outcome.messages, "is left as it is"));
   EXPECT_EQ(answered({"setup", five_bar_.c_str(), "-o", output_.c_str()}, "n\n").code, exit_code::bad_input);
   EXPECT_EQ(written(), "mine\n");
   EXPECT_EQ(answered({"setup", five_bar_.c_str(), "-o", output_.c_str()}, "y\n").code, exit_code::ok);
@@ -146,11 +144,11 @@ TEST_F(SetupCommand, ReportsTheFileThatExistsLast) {
     for (const std::string& argument : arguments) words.push_back(argument.c_str());
     return answered(words, "").messages;
   };
-  EXPECT_EQ(messages({"nowhere.urdf"}).find("is left as it is"), std::string::npos);
-  EXPECT_NE(messages({five_bar_, "--actuated", "crank_9_joint"}).find("crank_9_joint"), std::string::npos);
-  EXPECT_EQ(messages({five_bar_, "--actuated", "crank_9_joint"}).find("is left as it is"), std::string::npos);
-  EXPECT_EQ(messages({unnamed_}).find("is left as it is"), std::string::npos);
-  EXPECT_NE(messages({five_bar_}).find("is left as it is"), std::string::npos);
+  EXPECT_FALSE(test::has(messages({"nowhere.urdf"}), "is left as it is"));
+  EXPECT_TRUE(test::has(messages({five_bar_, "--actuated", "crank_9_joint"}), "crank_9_joint"));
+  EXPECT_FALSE(test::has(messages({five_bar_, "--actuated", "crank_9_joint"}), "is left as it is"));
+  EXPECT_FALSE(test::has(messages({unnamed_}), "is left as it is"));
+  EXPECT_TRUE(test::has(messages({five_bar_}), "is left as it is"));
   EXPECT_EQ(written(), "mine\n");
 }
 
@@ -160,7 +158,7 @@ TEST_F(SetupCommand, TakesAPlaceInALink) {
   const Outcome asked = run({"setup", half.c_str(), "-o", output_.c_str()});
   EXPECT_EQ(asked.code, exit_code::needs_answer);
   const std::string shown = "corner_1=shank_1_end corner_2=shank_2@X:Y:Z corner_3=shank_3@X:Y:Z";
-  EXPECT_NE(asked.messages.find("--closures '" + shown + "'"), std::string::npos) << asked.messages;
+  EXPECT_TRUE(test::has(asked.messages, "--closures '" + shown + "'"));
   const std::string closures = "corner_1=shank_1_end corner_2=shank_2@0.28:0:0 corner_3=shank_3@0.28:0:0";
   const Outcome found = run({"setup", half.c_str(), "-o", output_.c_str(), "--closures", closures.c_str()});
   EXPECT_EQ(found.code, exit_code::ok) << found.messages;
@@ -172,7 +170,7 @@ TEST_F(SetupCommand, NeverReplacesTheUrdf) {
   const std::string before = written();
   const Outcome outcome = run({"setup", output_.c_str(), "-o", output_.c_str(), "--replace"});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
-  EXPECT_NE(outcome.messages.find("is the URDF itself"), std::string::npos) << outcome.messages;
+  EXPECT_TRUE(test::has(outcome.messages, "is the URDF itself"));
   EXPECT_EQ(written(), before);
 }
 
@@ -182,7 +180,7 @@ TEST_F(SetupCommand, WithoutATerminalAQuestionIsAllThatIsWritten) {
   EXPECT_EQ(outcome.output, "");
   EXPECT_FALSE(fs::exists(output_));
   const std::string option = "--closures 'ash=green_tip oak=blue_tip'";
-  EXPECT_NE(outcome.messages.find(option), std::string::npos) << outcome.messages;
+  EXPECT_TRUE(test::has(outcome.messages, option));
   EXPECT_EQ(
       run({"setup", unnamed_.c_str(), "-o", output_.c_str(), "--closures", "ash=green_tip oak=blue_tip"})
           .code,
@@ -192,8 +190,8 @@ TEST_F(SetupCommand, WithoutATerminalAQuestionIsAllThatIsWritten) {
 TEST_F(SetupCommand, OnATerminalItAsks) {
   const Outcome outcome = answered({"setup", unnamed_.c_str(), "-o", output_.c_str()}, "2\n");
   EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages;
-  EXPECT_NE(outcome.messages.find("Which one, 1 to 2?"), std::string::npos) << outcome.messages;
-  EXPECT_NE(written().find("[oak, green_tip]"), std::string::npos) << written();
+  EXPECT_TRUE(test::has(outcome.messages, "Which one, 1 to 2?"));
+  EXPECT_TRUE(test::has(written(), "[oak, green_tip]"));
   for (const char* typed : {"", "\n", "3\n", "0\n", "-1\n", "all\n"})
     EXPECT_EQ(answered({"setup", unnamed_.c_str(), "-o", output_.c_str(), "--replace"}, typed).code,
               exit_code::needs_answer)
@@ -218,8 +216,8 @@ TEST_F(SetupCommand, JsonListsAndWritesOnlyWhereAFileIsNamed) {
 TEST_F(SetupCommand, DescribeDoesTheSameWithoutWriting) {
   const Outcome outcome = run({"describe", "--urdf", five_bar_.c_str()});
   EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages;
-  EXPECT_NE(outcome.output.find("task space T2"), std::string::npos);
-  EXPECT_NE(outcome.output.find("Nothing is written"), std::string::npos);
+  EXPECT_TRUE(test::has(outcome.output, "task space T2"));
+  EXPECT_TRUE(test::has(outcome.output, "Nothing is written"));
   EXPECT_EQ(run({"describe", "--urdf", unnamed_.c_str()}).code, exit_code::needs_answer);
 }
 

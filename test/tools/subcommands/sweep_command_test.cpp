@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/command_run.h"
+#include "support/texts.h"
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -59,11 +60,11 @@ TEST_F(SweepCommand, ARowADesign) {
   std::istringstream text(test::contents_of(whole));
   std::string line;
   std::getline(text, line);
-  EXPECT_EQ(line.rfind("# aspects sweep 1, fingerprint ", 0), 0U) << line;
+  EXPECT_TRUE(test::begins(line, "# aspects sweep 1, fingerprint "));
   std::getline(text, line);
   EXPECT_EQ(line,
-            "design,crank_1,rod_2,status,aspects_at_least,aspects_at_most,components,measure_lower,"
-            "measure_undecided,largest_lower,largest_upper");
+            "design,crank_1,rod_2,status,aspects_at_least,aspects_at_most,components,measure_lower,measure_"
+            "undecided,largest_lower,largest_upper");
   const auto commas = std::count(line.begin(), line.end(), ',');
   int rows = 0, refused = 0;
   while (std::getline(text, line)) {
@@ -133,24 +134,24 @@ TEST_F(SweepCommand, PartsThatDoNotBelongTogetherAreRefused) {
   ASSERT_EQ(sweep(two, {"--shard", "2/2"}).code, exit_code::ok);
   ASSERT_EQ(sweep(other, {"--shard", "2/2", "--mode", "(+,+)"}).code, exit_code::ok);
   EXPECT_EQ(refused(one), "Shard 2/2 is missing; give its file, too.\n");
-  EXPECT_NE(refused(one + " " + other).find("is of another sweep"), std::string::npos);
-  EXPECT_NE(refused(one + " " + two + " " + one).find("are the same shard"), std::string::npos);
+  EXPECT_TRUE(test::has(refused(one + " " + other), "is of another sweep"));
+  EXPECT_TRUE(test::has(refused(one + " " + two + " " + one), "are the same shard"));
   const std::string text = test::contents_of(two);
   write(two, text.substr(0, text.size() - 20));
-  EXPECT_NE(refused(one + " " + two).find("is damaged at its row"), std::string::npos);
+  EXPECT_TRUE(test::has(refused(one + " " + two), "is damaged at its row"));
   for (const std::size_t at : {text.rfind("mapped"), text.size() - 2}) {
     std::string damaged = text;
     damaged[at] = 'x';
     write(two, damaged);
-    EXPECT_NE(refused(one + " " + two).find("is damaged at its row 14"), std::string::npos) << damaged;
+    EXPECT_TRUE(test::has(refused(one + " " + two), "is damaged at its row 14")) << damaged;
     const std::string said = sweep(two, {"--shard", "2/2"}).messages;
-    EXPECT_NE(said.find("has another row 14"), std::string::npos) << said;
+    EXPECT_TRUE(test::has(said, "has another row 14"));
     EXPECT_EQ(test::contents_of(two), damaged);
   }
   write(two, text.substr(0, text.rfind('\n', text.size() - 2) + 1));
-  EXPECT_NE(refused(one + " " + two).find("has 13 of its 14 rows"), std::string::npos);
+  EXPECT_TRUE(test::has(refused(one + " " + two), "has 13 of its 14 rows"));
   write(two, "x\n");
-  EXPECT_NE(refused(one + " " + two).find("cannot be read as the file of a sweep"), std::string::npos);
+  EXPECT_TRUE(test::has(refused(one + " " + two), "cannot be read as the file of a sweep"));
 }
 
 TEST_F(SweepCommand, FilesOfOtherSweepsStayAsTheyAre) {
@@ -161,7 +162,7 @@ TEST_F(SweepCommand, FilesOfOtherSweepsStayAsTheyAre) {
   const std::string text = test::contents_of(whole);
   const Outcome other = sweep(whole, {"--margin", "parallel=0.1"});
   EXPECT_EQ(other.code, exit_code::bad_input);
-  EXPECT_NE(other.messages.find("is of another robot, command"), std::string::npos) << other.messages;
+  EXPECT_TRUE(test::has(other.messages, "is of another robot, command"));
   EXPECT_EQ(test::contents_of(whole), text);
 }
 
@@ -190,19 +191,18 @@ TEST_F(SweepCommand, ChartsHaveACellADesignAndLinesWhereTheNumberOfAspectsChange
   };
   const Outcome plane = drawn({});
   ASSERT_EQ(plane.code, exit_code::ok) << plane.messages;
-  EXPECT_NE(plane.output.find("measure_lower of 28 designs over crank_1 and rod_2"), std::string::npos);
+  EXPECT_TRUE(test::has(plane.output, "measure_lower of 28 designs over crank_1 and rod_2"));
   EXPECT_EQ(occurrences(test::contents_of(picture), ">not known<"), 4U) << "a length of -1";
   EXPECT_EQ(occurrences(test::contents_of(picture), ", aspects: "), 24U);
   const Outcome line = drawn({"--at", "rod_2=3"});
   ASSERT_EQ(line.code, exit_code::ok) << line.messages;
-  EXPECT_NE(line.output.find("of 7 designs over crank_1"), std::string::npos) << line.output;
+  EXPECT_TRUE(test::has(line.output, "of 7 designs over crank_1"));
   EXPECT_EQ(drawn({"--over", "crank_1"}).code, exit_code::bad_input);
-  EXPECT_NE(drawn({"--over", "crank_1"}).messages.find("'rod_2' varies, too"), std::string::npos);
-  EXPECT_NE(drawn({"--at", "rod_2=1"}).messages.find("No row has"), std::string::npos);
-  EXPECT_NE(drawn({"--at", "rod=1"}).messages.find("--at names 'rod'"), std::string::npos);
-  EXPECT_NE(run({"chart", whole.c_str(), "--column", "weight", "-o", picture.c_str()})
-                .messages.find("--column is 'weight'"),
-            std::string::npos);
+  EXPECT_TRUE(test::has(drawn({"--over", "crank_1"}).messages, "'rod_2' varies, too"));
+  EXPECT_TRUE(test::has(drawn({"--at", "rod_2=1"}).messages, "No row has"));
+  EXPECT_TRUE(test::has(drawn({"--at", "rod=1"}).messages, "--at names 'rod'"));
+  EXPECT_TRUE(test::has(run({"chart", whole.c_str(), "--column", "weight", "-o", picture.c_str()}).messages,
+                        "--column is 'weight'"));
 }
 
 TEST(SweepChart, NumbersThatAreProvedToDifferAreReported) {
@@ -241,20 +241,19 @@ TEST_F(SweepCommand, WhatDoesNotFitIsRefused) {
     EXPECT_EQ(outcome.code, exit_code::bad_input);
     return outcome.messages;
   };
-  EXPECT_NE(refused("wheel_1=1", {}).find("There is no parameter 'wheel_1'"), std::string::npos);
-  EXPECT_NE(refused("crank_1=1:2", {}).find("--vary has 'crank_1=1:2'"), std::string::npos);
-  EXPECT_NE(refused("crank_1=2:1:5", {}).find("the lower end comes first"), std::string::npos);
+  EXPECT_TRUE(test::has(refused("wheel_1=1", {}), "There is no parameter 'wheel_1'"));
+  EXPECT_TRUE(test::has(refused("crank_1=1:2", {}), "--vary has 'crank_1=1:2'"));
+  EXPECT_TRUE(test::has(refused("crank_1=2:1:5", {}), "the lower end comes first"));
   EXPECT_EQ(refused("crank_1=1:2:-5", {}),
             "--vary crank_1 is '-5'; give a whole number from 0 to 100000000.\n");
-  EXPECT_NE(refused("crank_1=1:2:5", {"--shard", "0/2"}).find("--shard is '0/2'"), std::string::npos);
-  EXPECT_NE(refused("crank_1=1:2:5", {"--report", "weight"}).find("--report has 'weight'"),
-            std::string::npos);
-  EXPECT_NE(refused("crank_1=1:2:5", {"--report", "workspace"}).find("takes --shape"), std::string::npos);
+  EXPECT_TRUE(test::has(refused("crank_1=1:2:5", {"--shard", "0/2"}), "--shard is '0/2'"));
+  EXPECT_TRUE(test::has(refused("crank_1=1:2:5", {"--report", "weight"}), "--report has 'weight'"));
+  EXPECT_TRUE(test::has(refused("crank_1=1:2:5", {"--report", "workspace"}), "takes --shape"));
   const std::string all = refused(
       "crank_1=1:2:5", {"--report", "workspace", "--shape", "ball", "--resolution", "0", "--gap", "2"});
   for (const char* words : {"--resolution is '0'", "A ball takes 3", "--gap is a share"})
-    EXPECT_NE(all.find(words), std::string::npos) << all;
-  EXPECT_NE(refused("crank_1=1:2", {"--sample", "sobol"}).find("takes --designs"), std::string::npos);
+    EXPECT_TRUE(test::has(all, words));
+  EXPECT_TRUE(test::has(refused("crank_1=1:2", {"--sample", "sobol"}), "takes --designs"));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include "support/texts.h"
 #include <array>
 #include <cstddef>
 #include <sstream>
@@ -42,10 +43,9 @@ TEST_F(UniquenessCommand, ListsCurvesOfCusps) {
 // Where a crank is as long as its rod, boxes that touch a serial singularity stay undecided.
 TEST_F(UniquenessCommand, SaysWhatToAskWhereARangeIsNotDecided) {
   const Outcome outcome = run({"uniqueness", "three_rrr", "--cusps-over", "crank_1_joint=0.3:0.3000001"});
-  EXPECT_NE(outcome.output.find("\nnot decided: 0.3"), std::string::npos) << outcome.output;
-  EXPECT_NE(outcome.output.find("A shorter range is divided further; --slice crank_1_joint=0.3 lists"),
-            std::string::npos)
-      << outcome.output;
+  EXPECT_TRUE(test::has(outcome.output, "\nnot decided: 0.3"));
+  EXPECT_TRUE(
+      test::has(outcome.output, "A shorter range is divided further; --slice crank_1_joint=0.3 lists"));
 }
 
 TEST_F(UniquenessCommand, RefusesRangesThatAreNone) {
@@ -60,7 +60,7 @@ TEST_F(UniquenessCommand, RefusesRangesThatAreNone) {
   EXPECT_EQ(unlimited.code, exit_code::bad_input);
   const Outcome slice =
       run({"uniqueness", "three_rpr", "--cusps-over", "strut_1_joint", "--slice", "strut_1_joint=12"});
-  EXPECT_NE(slice.messages.find("leave --slice"), std::string::npos) << slice.messages;
+  EXPECT_TRUE(test::has(slice.messages, "leave --slice"));
 }
 
 /// The lines of a table that begins with this title, without its titles.
@@ -103,10 +103,10 @@ TEST_F(UniquenessCommand, ListsOfASliceInTextWhatJsonHas) {
   }
   for (std::size_t i = 0; i < domains.size(); ++i) {
     const std::string indices = numbers_of(found["uniqueness_domains"][i]["basic_regions"]);
-    EXPECT_NE(domains[i].find(" " + indices + " "), std::string::npos) << domains[i];
+    EXPECT_TRUE(test::has(domains[i], " " + indices + " "));
   }
   const std::size_t left_out = found["basic_components"].size() - (sets.size() - 1);
-  EXPECT_EQ(sets.back().rfind(std::to_string(left_out) + " smaller sets left out", 0), 0U) << sets.back();
+  EXPECT_TRUE(test::begins(sets.back(), std::to_string(left_out) + " smaller sets left out"));
 }
 
 TEST_F(UniquenessCommand, ReportsTheComponentOfEachCusp) {
@@ -141,8 +141,8 @@ TEST_F(UniquenessCommand, ListsCuspsInSO3) {
     EXPECT_EQ(cusp["component"], 0);
   }
   const Outcome eye = run({"uniqueness", "agile_eye", "--slice", "crank_1_joint=0.3"});
-  EXPECT_NE(eye.output.find("there may be more"), std::string::npos) << eye.output;
-  EXPECT_NE(eye.output.find("Not decided are curves"), std::string::npos) << eye.output;
+  EXPECT_TRUE(test::has(eye.output, "there may be more"));
+  EXPECT_TRUE(test::has(eye.output, "Not decided are curves"));
 }
 
 TEST_F(UniquenessCommand, LooksAtARoadmapOfAHexapod) {
@@ -168,8 +168,8 @@ TEST_F(UniquenessCommand, LooksAtARoadmapOfAHexapod) {
   EXPECT_EQ(poses, 40U);
   EXPECT_GT(changes, 0U);
   const Outcome text = run({"uniqueness", "stewart", "--samples", "200", "--seed", "3", "--poses", "40"});
-  EXPECT_NE(text.output.find("no, proved"), std::string::npos) << text.output;
-  EXPECT_NE(text.output.find("lower bounds"), std::string::npos) << text.output;
+  EXPECT_TRUE(test::has(text.output, "no, proved"));
+  EXPECT_TRUE(test::has(text.output, "lower bounds"));
 }
 
 TEST_F(UniquenessCommand, RefusesWhatIsOfOtherTaskSpaces) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include "support/texts.h"
 #include <atomic>
 #include <fstream>
 #include <iterator>
@@ -34,7 +35,7 @@ TEST_F(WorkspaceCommand, ReportsTheLargestDiscOfEachAspect) {
     EXPECT_TRUE(each.at("center").contains("y"));
   }
   const Outcome text = run({"workspace", "five_bar", "--shape", "disc", "--aspect", "8"});
-  EXPECT_NE(text.output.find("The largest disc lies in aspect 8"), std::string::npos) << text.output;
+  EXPECT_TRUE(test::has(text.output, "The largest disc lies in aspect 8"));
 }
 
 TEST_F(WorkspaceCommand, RatiosCentersAndAspectsAreTaken) {
@@ -51,7 +52,7 @@ TEST_F(WorkspaceCommand, DrawsTheShapes) {
             exit_code::ok);
   std::ifstream stream(svg);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  EXPECT_NE(text.find("<title>largest shape</title>"), std::string::npos);
+  EXPECT_TRUE(test::has(text, "<title>largest shape</title>"));
 }
 
 TEST_F(WorkspaceCommand, WhatDoesNotFitIsRefused) {
@@ -81,8 +82,7 @@ TEST_F(WorkspaceCommand, WhatDoesNotFitIsRefused) {
   EXPECT_EQ(refused({"workspace", "five_bar", "--shape", "box", "--center", "z=1", "--aspect-ratio", "3"}),
             "--aspect-ratio has 1 number; give 2, an edge for each free position.\n"
             "--center has 'z=1'; give free positions with their values, such as \"x=0.5\".\n");
-  EXPECT_NE(refused({"workspace", "stewart", "--shape", "ball"}).find("six degrees of freedom"),
-            std::string::npos);
+  EXPECT_TRUE(test::has(refused({"workspace", "stewart", "--shape", "ball"}), "six degrees of freedom"));
   EXPECT_EQ(run({"workspace", "five_bar"}).code, exit_code::bad_usage);
 }
 

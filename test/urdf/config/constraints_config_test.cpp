@@ -7,6 +7,7 @@
 
 #include "support/clearance_at.h"
 #include "support/robots/shipped.h"
+#include "support/texts.h"
 #include <random>
 #include <regex>
 
@@ -84,10 +85,8 @@ TEST(ConstraintsConfig, RefusesMarginsThatAreNone) {
   EXPECT_EQ(problem("{det_a: -1.0}"),
             "five_bar.yaml has a constraints.margins.det_a of -1; it must be 0 or a positive number: the "
             "least |det A|, in its unit.");
-  EXPECT_NE(problem("{paralel: 0.1}").find("did you mean 'parallel'"), std::string::npos)
-      << problem("{paralel: 0.1}");
-  EXPECT_NE(problem("[0.1]").find("write {parallel: 0.05, serial: 0.1}"), std::string::npos)
-      << problem("[0.1]");
+  EXPECT_TRUE(test::has(problem("{paralel: 0.1}"), "did you mean 'parallel'"));
+  EXPECT_TRUE(test::has(problem("[0.1]"), "write {parallel: 0.05, serial: 0.1}"));
 }
 
 TEST(ConstraintsConfig, CanSwitchLimitsOff) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include "support/texts.h"
 #include <string>
 
 namespace parallel_aspects {
@@ -17,7 +18,7 @@ TEST(MechanismConfig, ARobotsFileMayStateEveryParameterOfTheNode) {
     const auto key = entry.first.as<std::string>();
     Problems problems;
     read_mechanism_config("mechanism: {}\n" + key + ": 1\n", "robot.yaml", problems);
-    for (const std::string& problem : problems) EXPECT_EQ(problem.find("'" + key + "'"), std::string::npos);
+    for (const std::string& problem : problems) EXPECT_FALSE(test::has(problem, "'" + key + "'"));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/texts.h"
 #include <string>
 
 namespace parallel_aspects {
@@ -34,7 +35,7 @@ TEST(MotionConfig, SaysWhatIsWrong) {
     Problems problems;
     EXPECT_EQ(read_acceleration(text, "robot.yaml", 2, problems).size(), 0) << text;
     ASSERT_EQ(problems.size(), 1U) << text;
-    EXPECT_EQ(problems.front().rfind("robot.yaml ", 0), 0U) << problems.front();
+    EXPECT_TRUE(test::begins(problems.front(), "robot.yaml "));
   }
 }
 

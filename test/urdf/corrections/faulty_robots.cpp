@@ -348,14 +348,12 @@ std::vector<FaultyRobot> robots_with_like_faults(const std::string& robot) {
 
 std::vector<std::string> remedies(const std::string& message) {
   const std::regex remedy(
-      "write ((type=\"[^\"]+\")?( and )?(<axis xyz=\"[^\"]+\"/>)? for joint '[^']+'"
-      "|lower=\"[^\"]+\" upper=\"[^\"]+\" for joint '[^']+'|<child link=\"[^\"]+\"/> for joint '[^']+'"
-      "|(xyz|rpy)=\"[^\"]+\" in the origin of joint '[^']+'|type: \\w+ for closure '[^']+'"
-      "|<parent link=\"[^\"]+\"/> for joint '[^']+'|link '[^']+' in the place of '[^']+' in closure '[^']+'"
-      "|(operational_point|base_link): \\w+( and actuated_joints: \\[[^\\]]+\\])?"
-      "|actuated_joints: \\[[^\\]]+\\])|add \\{frames: \\[[^\\]]+\\], type: \\w+\\} to "
-      "mechanism.closures|add <link name=\"[^\"]+\"/><joint "
-      ".*?</joint>");
+      "write ((type=\"[^\"]+\")?( and )?(<axis xyz=\"[^\"]+\"/>)? for joint '[^']+'|lower=\"[^\"]+\" "
+      "upper=\"[^\"]+\" for joint '[^']+'|<child link=\"[^\"]+\"/> for joint '[^']+'|(xyz|rpy)=\"[^\"]+\" in "
+      "the origin of joint '[^']+'|type: \\w+ for closure '[^']+'|<parent link=\"[^\"]+\"/> for joint "
+      "'[^']+'|link '[^']+' in the place of '[^']+' in closure '[^']+'|(operational_point|base_link): \\w+( "
+      "and actuated_joints: \\[[^\\]]+\\])?|actuated_joints: \\[[^\\]]+\\])|add \\{frames: \\[[^\\]]+\\], "
+      "type: \\w+\\} to mechanism.closures|add <link name=\"[^\"]+\"/><joint .*?</joint>");
   std::vector<std::string> found;
   for (std::sregex_iterator at(message.begin(), message.end(), remedy), end; at != end; ++at)
     found.push_back(at->str());
@@ -365,7 +363,7 @@ std::vector<std::string> remedies(const std::string& message) {
 Description corrected(Description text, const std::string& remedy) {
   const YAML::Node yaml = YAML::Load(text.config);
   if (remedy.find("add <") == 0) {
-    text.urdf = replaced(text.urdf, "</robot>", remedy.substr(4) + "</robot>");
+    text.change_urdf("</robot>", remedy.substr(4) + "</robot>");
   } else if (remedy.find("in the place of") != std::string::npos) {
     YAML::Node frames = closure_named(yaml, quoted(remedy, "closure '([^']+)'"))["frames"];
     const std::string old = quoted(remedy, "place of '([^']+)'");

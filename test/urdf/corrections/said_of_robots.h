@@ -17,7 +17,7 @@ namespace parallel_aspects::test {
 
 /// The one sentence that a robot is refused with.
 inline std::string sentence(const Description& robot) {
-  const Problems problems = test::refusal(robot.urdf, robot.config);
+  const Problems problems = test::refusal(robot);
   EXPECT_EQ(problems.size(), 1U);
   return problems.empty() ? "" : problems.front();
 }
@@ -25,7 +25,7 @@ inline std::string sentence(const Description& robot) {
 inline void expect_remedies_work(const Description& robot, const std::string& said) {
   const std::vector<Description> corrected = test::followed(robot, said);
   EXPECT_FALSE(corrected.empty()) << said;
-  for (const Description& one : corrected) EXPECT_EQ(test::refusal(one.urdf, one.config), Problems{}) << said;
+  for (const Description& one : corrected) EXPECT_EQ(test::refusal(one), Problems{}) << said;
 }
 
 inline bool has_note(const Description& robot, const std::string& note) {
@@ -34,7 +34,7 @@ inline bool has_note(const Description& robot, const std::string& note) {
 }
 
 /// Notes on what is perhaps not meant.
-inline std::vector<std::string> doubts(const Description& robot) {
+inline std::vector<std::string> warnings(const Description& robot) {
   std::vector<std::string> found;
   const auto loaded = test::load(robot);
   for (const std::string& note : loaded->notes())
@@ -43,8 +43,8 @@ inline std::vector<std::string> doubts(const Description& robot) {
 }
 
 /// The one of them.
-inline std::string only_doubt(const Description& robot) {
-  const std::vector<std::string> found = doubts(robot);
+inline std::string only_warning(const Description& robot) {
+  const std::vector<std::string> found = warnings(robot);
   EXPECT_EQ(found.size(), 1U) << testing::PrintToString(found);
   return found.empty() ? "" : found.front();
 }

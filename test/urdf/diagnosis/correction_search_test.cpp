@@ -23,9 +23,7 @@ using test::FaultyRobot;
 enum Outcome : std::size_t { loaded, named, listed, not_found, wrong };
 using Counts = std::array<int, 5>;
 
-bool loads(const Description& description) {
-  return test::refusal(description.urdf, description.config).empty();
-}
+bool loads(const Description& description) { return test::refusal(description).empty(); }
 
 bool is_of(const std::string& remedy, const FaultyRobot& robot) {
   return remedy.find(robot.element) != std::string::npos;

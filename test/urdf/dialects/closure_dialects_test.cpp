@@ -162,10 +162,9 @@ TEST(ClosureDialects, AreOverruledByTheList) {
       "tip_2]}]}");
   expect_five_bar(*mechanism);
   ASSERT_EQ(mechanism->notes().size(), 1u);
-  EXPECT_EQ(
-      mechanism->notes().front(),
-      "robot.yaml leaves the type of closures open; they are taken as point, under which the mobility is the "
-      "number of actuated joints.");
+  EXPECT_EQ(mechanism->notes().front(),
+            "robot.yaml leaves the type of closures open; they are taken as point, under which the mobility "
+            "is the number of actuated joints.");
 }
 
 TEST(ClosureDialects, LeaveTheDrivesToTransmissions) {
@@ -197,42 +196,36 @@ TEST_P(BadClosureDialect, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(
     All, BadClosureDialect,
     ::testing::Values(
+        BadDialect{"", "closures: [{link_a: rod_1, link_b: rod_9, point: [2, 5, 0]}]\n" + listed_joints,
+                   "robot.yaml in closures[0] names link 'rod_9', but robot.urdf has no such link; did you "
+                   "mean 'rod_1'?"},
+        BadDialect{"", "closures: [{link_a: rod_1, link_b: rod_2, point: [2, 5]}]\n" + listed_joints,
+                   "robot.yaml in closures[0] has a point or an axis that is not three finite numbers, or "
+                   "zero; write three each, in the frame of the root link while all joints are zero."},
+        BadDialect{"", "closures: [rod_1]\ndependent: []\n" + listed_joints,
+                   "robot.yaml in closures[0] is no map; write {link_a: LINK, link_b: LINK, point: [x, y, "
+                   "z], axis: [x, y, z]}."},
         BadDialect{
-            "", "closures: [{link_a: rod_1, link_b: rod_9, point: [2, 5, 0]}]\n" + listed_joints,
-            "robot.yaml in closures[0] names link 'rod_9', but robot.urdf has no such link; did you mean "
-            "'rod_1'?"},
-        BadDialect{
-            "", "closures: [{link_a: rod_1, link_b: rod_2, point: [2, 5]}]\n" + listed_joints,
-            "robot.yaml in closures[0] has a point or an axis that is not three finite numbers, or zero; "
-            "write three each, in the frame of the root link while all joints are zero."},
-        BadDialect{
-            "", "closures: [rod_1]\ndependent: []\n" + listed_joints,
-            "robot.yaml in closures[0] is no map; write {link_a: LINK, link_b: LINK, point: [x, y, z], "
-            "axis: [x, y, z]}."},
-        BadDialect{R"(<loop_closure in="the SDF" type="ball"><end link="rod_1" xyz="0 0"/><end link="rod_2"/>
+            R"(<loop_closure in="the SDF" type="ball"><end link="rod_1" xyz="0 0"/><end link="rod_2"/>
                    </loop_closure>)",
-                   listed_joints,
-                   "robot.urdf has a <loop_closure> '' without a type or two ends; use <loop_joint> in its "
-                   "place."},
+            listed_joints,
+            "robot.urdf has a <loop_closure> '' without a type or two ends; use <loop_joint> in its place."},
         BadDialect{
             R"(<gazebo><joint name="loop" type="ball"><parent>rod_1</parent><child>rod_3</child></joint></gazebo>)",
             listed_joints,
             "robot.urdf has a <gazebo> joint 'loop' that names link 'rod_3', but robot.urdf has no such "
-            "link; did "
-            "you mean 'rod_1'?"},
+            "link; did you mean 'rod_1'?"},
         BadDialect{
             R"(<gazebo><joint name="loop" type="screw"><parent>tip_1</parent><child>tip_2</child></joint></gazebo>)",
             listed_joints,
             "robot.urdf has a <gazebo> joint 'loop' that has the type 'screw', which cannot close a loop; "
-            "use "
-            "revolute, ball, universal or fixed."},
+            "use revolute, ball, universal or fixed."},
         BadDialect{
             R"(<gazebo><joint name="loop" type="ball"><parent>tip_1</parent><child>tip_2</child>
                       <pose>0 0 nan</pose></joint></gazebo>)",
             listed_joints,
             "robot.urdf has a <gazebo> joint 'loop' that has a pose that is not a list of finite numbers; "
-            "give "
-            "six, or leave it out for zeros."},
+            "give six, or leave it out for zeros."},
         BadDialect{
             R"(<gazebo><joint name="loop" type="revolute"><parent>tip_1</parent><child>tip_2</child>
                       <axis><xyz>0 0 0</xyz></axis></joint></gazebo>)",
@@ -244,20 +237,19 @@ INSTANTIATE_TEST_SUITE_P(
                       <pose relative_to="tip_3">0 0 0 0 0 0</pose></joint></gazebo>)",
             listed_joints,
             "robot.urdf has a <gazebo> joint 'loop' that names link 'tip_3', but robot.urdf has no such "
-            "link; "
-            "did you mean 'tip_1'?"},
+            "link; did you mean 'tip_1'?"},
         BadDialect{
             R"(<loop_joint name="loop" type="prismatic"><link1 link="tip_1"/><link2 link="tip_2"/>
                       </loop_joint>)",
             listed_joints,
-            "robot.urdf has a <loop_joint> 'loop' that has a type or an axis that cannot close a loop; "
-            "use spherical, revolute, universal or fixed, and an axis of three numbers."},
+            "robot.urdf has a <loop_joint> 'loop' that has a type or an axis that cannot close a loop; use "
+            "spherical, revolute, universal or fixed, and an axis of three numbers."},
         BadDialect{
             R"(<constraint name="loop" type="planar_joint"><parent link="tip_1"/><child link="tip_2"/>
                       </constraint>)",
             listed_joints,
-            "robot.urdf has a <constraint> 'loop' that has the type 'planar_joint', which cannot close "
-            "a loop; use spherical_joint, revolute_joint, universal_joint or fixed_joint."},
+            "robot.urdf has a <constraint> 'loop' that has the type 'planar_joint', which cannot close a "
+            "loop; use spherical_joint, revolute_joint, universal_joint or fixed_joint."},
         BadDialect{
             R"(<drake:ball_constraint><drake:ball_constraint_body_A name="tip_1"/>
                       <drake:ball_constraint_body_B name="tip_2"/><drake:ball_constraint_p_AP value="0 0"/>
@@ -297,11 +289,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadDialect{"", "closed_loop: [[tip_1, tip_2]]\ntype: 4d\n" + listed_joints,
                    "robot.yaml gives closed_loop[0] the type '4d'; write 3d or 6d for each, or leave out the "
                    "types."},
-        BadDialect{
-            R"(<transmission name="a"><joint name="mot_1"/></transmission>)",
-            "mechanism: {operational_point: tip_1, closures: [{frames: [tip_1, tip_2], type: point}]}",
-            "robot.yaml actuates none of the joints 'mot_2', 'elbow_2', which make one leg; add one of "
-            "them to actuated_joints, or take the leg out of the URDF."},
+        BadDialect{R"(<transmission name="a"><joint name="mot_1"/></transmission>)",
+                   "mechanism: {operational_point: tip_1, closures: [{frames: [tip_1, tip_2], type: point}]}",
+                   "robot.yaml actuates none of the joints 'mot_2', 'elbow_2', which make one leg; add one "
+                   "of them to actuated_joints, or take the leg out of the URDF."},
         BadDialect{R"(<transmission name="a"><joint name="mot_1"/><joint name="mot_2"/></transmission>
                       <transmission name="b"><joint name="elbow_1"/><joint name="elbow_2"/></transmission>)",
                    "mechanism: {operational_point: tip_1, closures: [{frames: [tip_1, tip_2]}]}",

@@ -6,6 +6,7 @@
 
 #include "support/descriptions.h"
 #include "support/robots/shipped.h"
+#include "support/texts.h"
 #include <string>
 #include <vector>
 
@@ -44,12 +45,12 @@ TEST(StatedDrives, AreSaidWhereOthersAreTaken) {
     const SetupResult result = set_up_text(five_bar_with(elements));
     ASSERT_TRUE(result.mechanism) << listed(result.problems);
     EXPECT_EQ(actuated_joints(*result.mechanism), cranks);
-    const std::string note = "robot.urdf has a " + std::string(kind) +
-                             " of joints that are not taken as actuated: of 'elbow_1_joint', whose leg has "
-                             "one actuated joint and 'crank_1_joint' is taken; taken without one: "
-                             "'crank_2_joint'.";
+    const std::string note =
+        "robot.urdf has a " + std::string(kind) +
+        " of joints that are not taken as actuated: of 'elbow_1_joint', whose leg has one actuated joint and "
+        "'crank_1_joint' is taken; taken without one: 'crank_2_joint'.";
     EXPECT_EQ(result.notes, Strings{note});
-    EXPECT_NE(result.config.find("of joints that are not taken as actuated"), std::string::npos);
+    EXPECT_TRUE(test::has(result.config, "of joints that are not taken as actuated"));
   }
 }
 
@@ -64,9 +65,8 @@ TEST(StatedDrives, AreSaidWhereOthersAreAskedFor) {
   const SetupResult result = set_up_text(five_bar_with(transmissions(cranks)), answers);
   ASSERT_TRUE(result.mechanism) << listed(result.problems);
   ASSERT_EQ(result.notes.size(), 1U) << testing::PrintToString(result.notes);
-  EXPECT_NE(result.notes.front().find("of 'crank_2_joint', whose leg has one actuated joint and "
-                                      "'elbow_2_joint' is taken"),
-            std::string::npos)
+  EXPECT_TRUE(test::has(result.notes.front(),
+                        "of 'crank_2_joint', whose leg has one actuated joint and 'elbow_2_joint' is taken"))
       << testing::PrintToString(result.notes);
 }
 
@@ -80,12 +80,11 @@ TEST(Mimic, IsSaidToDecideWhichJointsAreActuated) {
     ASSERT_TRUE(result.mechanism || result.question) << listed(result.problems);
     std::string said;
     for (const std::string& note : result.notes) said += note + '\n';
-    EXPECT_NE(said.find("robot.urdf lets joints mimic others, 'crank_2_joint', which are not taken as "
-                        "actuated for that alone; if 'crank_1_joint', 'crank_2_joint' are the actuated "
-                        "joints, take out the <mimic> of these."),
-              std::string::npos)
-        << said;
-    EXPECT_EQ(said.find("where it is a wrist"), std::string::npos) << said;
+    EXPECT_TRUE(test::has(said,
+                          "robot.urdf lets joints mimic others, 'crank_2_joint', which are not taken as "
+                          "actuated for that alone; if 'crank_1_joint', 'crank_2_joint' are the actuated "
+                          "joints, take out the <mimic> of these."));
+    EXPECT_FALSE(test::has(said, "where it is a wrist"));
     EXPECT_EQ(is_stated, said.find("of 'crank_2_joint', which mimics another joint") != std::string::npos)
         << said;
     const SetupResult without = set_up_text(five_bar);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/descriptions.h"
+#include "support/texts.h"
 #include <chrono>
 #include <regex>
 #include <string>
@@ -12,7 +13,6 @@
 namespace parallel_aspects {
 namespace {
 
-using test::replaced;
 using test::source_file;
 
 SetupControl unhurried() { return {1000000}; }
@@ -38,14 +38,11 @@ TEST(AddedClosures, AreWrittenBesideThoseOfTheUrdf) {
   const std::string urdf = delta_without_a_closure();
   const SetupResult open = set_up_at_zero(urdf, {});
   ASSERT_EQ(open.problems.size(), 1U);
-  EXPECT_NE(open.problems.front().find("; add --closures ball_2=rod_end_2, which makes it a robot in T3."),
-            std::string::npos)
-      << open.problems.front();
+  EXPECT_TRUE(
+      test::has(open.problems.front(), "; add --closures ball_2=rod_end_2, which makes it a robot in T3."));
   const SetupResult closed = set_up_at_zero(urdf, closures({{"ball_2", "rod_end_2"}}));
   ASSERT_TRUE(closed.mechanism) << (closed.problems.empty() ? "" : closed.problems.front());
-  EXPECT_NE(closed.config.find("  added_closures:\n    - {frames: [ball_2, rod_end_2], type: "),
-            std::string::npos)
-      << closed.config;
+  EXPECT_TRUE(test::has(closed.config, "  added_closures:\n    - {frames: [ball_2, rod_end_2], type: "));
   for (const Leg& leg : closed.mechanism->manipulator()->legs()) EXPECT_NEAR(leg.rod_length, 0.4, 1e-6);
 }
 
@@ -54,23 +51,19 @@ TEST(AddedClosures, TakeThePlaceOfAllThatCloseTheSame) {
       set_up_at_zero(at_zero("low_delta"),
                      closures({{"ball_1", "rod_end_1"}, {"ball_2", "rod_end_2"}, {"ball_3", "rod_end_3"}}));
   ASSERT_TRUE(all.mechanism);
-  EXPECT_NE(all.config.find("  closures:\n"), std::string::npos) << all.config;
+  EXPECT_TRUE(test::has(all.config, "  closures:\n"));
   for (const Leg& leg : all.mechanism->manipulator()->legs()) EXPECT_NEAR(leg.rod_length, 0.4, 1e-6);
   const SetupResult some = set_up_at_zero(at_zero("low_delta"), closures({{"ball_1", "rod_end_1"}}));
-  EXPECT_EQ(
-      some.problems,
-      Problems{
-          "--closures has some of the loops that robot.urdf closes itself, and not all; write all loops, or "
-          "only those that it leaves open."});
+  EXPECT_EQ(some.problems, Problems{"--closures has some of the loops that robot.urdf closes itself, and not "
+                                    "all; write all loops, or only those that it leaves open."});
 }
 
 TEST(AddedClosures, AreAskedForWithPlacesWhereFiveLegsEndAtOneLink) {
   const SetupResult asked = set_up_at_zero(at_zero("open_hexapod"), {});
   ASSERT_TRUE(asked.question);
   EXPECT_TRUE(asked.question->candidates.empty());
-  EXPECT_NE(asked.question->text.find("5 chains end at link 'platform', which has no frames for them"),
-            std::string::npos)
-      << asked.question->text;
+  EXPECT_TRUE(
+      test::has(asked.question->text, "5 chains end at link 'platform', which has no frames for them"));
   ASSERT_EQ(asked.question->example.size(), 5U);
   EXPECT_EQ(asked.question->example.front(), "platform@X:Y:Z=rod_2");
   const std::array<std::string, 5> places{"0.191511111:0.160696902:0", "0.043412044:0.246201938:0",

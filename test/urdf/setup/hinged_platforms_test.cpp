@@ -8,6 +8,7 @@
 
 #include "support/loops.h"
 #include "support/robots/shipped.h"
+#include "support/texts.h"
 #include <ostream>
 #include <set>
 #include <string>
@@ -93,7 +94,7 @@ TEST(SetupOfHumanoid, LeavesTheKneeOut) {
   ASSERT_TRUE(result.mechanism) << listed(result.problems);
   const Problems notes = result.mechanism->notes();
   ASSERT_EQ(notes.size(), 1U) << listed(notes);
-  EXPECT_NE(notes.front().find("'left_knee_joint'"), std::string::npos) << notes.front();
+  EXPECT_TRUE(test::has(notes.front(), "'left_knee_joint'"));
 }
 
 // The limits of the chain are constraints of the pose.
@@ -111,7 +112,7 @@ TEST(SetupOfHumanoid, TakesTheLimitsOfThePassiveHinges) {
 // Angles have no lengths among them.
 TEST(SetupOfExported, WritesTheUnitsOfThePose) {
   const std::string config = set_up_text(urdf_of("exported_ankle")).config;
-  EXPECT_NE(config.find("Coordinates: theta1, theta2 [rad]."), std::string::npos) << config;
+  EXPECT_TRUE(test::has(config, "Coordinates: theta1, theta2 [rad]."));
 }
 
 }  // namespace

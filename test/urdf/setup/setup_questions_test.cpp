@@ -8,6 +8,7 @@
 
 #include "support/descriptions.h"
 #include "support/robots/shipped.h"
+#include "support/texts.h"
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -43,11 +44,9 @@ TEST(Setup, SaysThatARobotIsSingularInEveryPose) {
                                     "robot.yaml", {}, SetupControl{25000});
   EXPECT_FALSE(result.question);
   ASSERT_EQ(result.problems.size(), 1U);
-  EXPECT_NE(
-      result.problems.front().find("robot.urdf is assembled, but singular in every pose: det A is zero"),
-      std::string::npos)
-      << result.problems.front();
-  EXPECT_EQ(result.problems.front().find("corner_3=piston_2"), std::string::npos) << result.problems.front();
+  EXPECT_TRUE(test::has(result.problems.front(),
+                        "robot.urdf is assembled, but singular in every pose: det A is zero"));
+  EXPECT_FALSE(test::has(result.problems.front(), "corner_3=piston_2"));
 }
 
 // Of rods and corners without links, in one question.
@@ -55,8 +54,7 @@ TEST(Setup, AsksAtOnceForAllPlacesThatHaveNoLink) {
   const std::string blunt = urdf_of("blunt_three_rrr");
   const SetupResult one = set_up_text(blunt);
   ASSERT_TRUE(one.question) << listed(one.problems);
-  EXPECT_NE(one.question->text.find("'platform', 'rod_2', 'rod_3' end chains"), std::string::npos)
-      << one.question->text;
+  EXPECT_TRUE(test::has(one.question->text, "'platform', 'rod_2', 'rod_3' end chains"));
   EXPECT_TRUE(one.question->candidates.empty());
   EXPECT_EQ(one.question->example, (Strings{"platform@X:Y:Z=rod_2@X:Y:Z", "platform@X:Y:Z=rod_3@X:Y:Z"}));
   const SetupResult corrected = set_up_text(
@@ -66,7 +64,7 @@ TEST(Setup, AsksAtOnceForAllPlacesThatHaveNoLink) {
   const std::string hung = test::source_file("test/data/chains/three_rrr_on_slides.urdf");
   const SetupResult all = set_up_text(hung);
   ASSERT_TRUE(all.question) << listed(all.problems);
-  EXPECT_NE(all.question->text.find("'rod_1', 'rod_2', 'rod_3'"), std::string::npos) << all.question->text;
+  EXPECT_TRUE(test::has(all.question->text, "'rod_1', 'rod_2', 'rod_3'"));
   const SetupResult found =
       set_up_text(hung, with_closures(filled(all.question->example,
                                              {"0:0:0", "10:0:0", "10:0:0", "10:0:0", "10:10:0", "10:0:0"})));
@@ -85,7 +83,7 @@ TEST(Setup, NeverTakesALengthOfAnotherLink) {
   const SetupResult found =
       set_up_text(half, with_closures(filled(rods.question->example, {"0.28:0:0", "0.28:0:0"})));
   ASSERT_TRUE(found.mechanism) << listed(found.problems);
-  EXPECT_NE(found.config.find("{link: shank_2, xyz: [0.28, 0, 0]}"), std::string::npos) << found.config;
+  EXPECT_TRUE(test::has(found.config, "{link: shank_2, xyz: [0.28, 0, 0]}"));
   EXPECT_NEAR(found.mechanism->manipulator()->leg(1).rod_length, 0.28, 1e-12);
   const SetupResult plate = set_up_text(urdf_of("pinned_hexapod"));
   ASSERT_TRUE(plate.question) << listed(plate.problems);
@@ -122,12 +120,11 @@ TEST(Setup, RefusesAnAnswerWithALengthOfAnotherLink) {
   }
   const SetupResult wrong = set_up_text(urdf, with_closures(lent));
   EXPECT_FALSE(wrong.mechanism);
-  EXPECT_EQ(
-      listed(wrong.problems),
-      "robot.yaml ends legs by the length of another link: closures hold rods where joint 'plate_joint' "
-      "has link 'plate' on 'pin_1', while the leg of 'pin_1' ends at its origin; end all legs so and "
-      "write --closures '" +
-          all + "', or, if the legs differ, add a link at the end of each rod to robot.urdf.\n");
+  EXPECT_EQ(listed(wrong.problems),
+            "robot.yaml ends legs by the length of another link: closures hold rods where joint "
+            "'plate_joint' has link 'plate' on 'pin_1', while the leg of 'pin_1' ends at its origin; end all "
+            "legs so and write --closures '" +
+                all + "', or, if the legs differ, add a link at the end of each rod to robot.urdf.\n");
   const SetupResult found = set_up_text(urdf, with_closures(right));
   ASSERT_TRUE(found.mechanism) << listed(found.problems);
 }
@@ -137,7 +134,7 @@ TEST(Setup, AsksForBothEndsOfRodsThatManyChainsHave) {
   ASSERT_TRUE(delta.question) << listed(delta.problems);
   ASSERT_FALSE(delta.question->example.empty());
   EXPECT_EQ(delta.question->example.back(), "platform@X:Y:Z=rod_3@X:Y:Z");
-  EXPECT_NE(delta.question->text.find("their rods have none"), std::string::npos) << delta.question->text;
+  EXPECT_TRUE(test::has(delta.question->text, "their rods have none"));
   const SetupResult hopper = set_up_text(urdf_of("hopper"));
   ASSERT_TRUE(hopper.question) << listed(hopper.problems);
   Strings pairs;
@@ -197,11 +194,10 @@ TEST(Setup, RefusesInTheWordsOfItsOptions) {
     ASSERT_FALSE(result.problems.empty()) << name;
     for (const std::string& problem : result.problems)
       for (const char* key : {"robot.yaml", "operational_point", "actuated_joints", "mechanism."})
-        EXPECT_EQ(problem.find(key), std::string::npos) << problem;
+        EXPECT_FALSE(test::has(problem, key));
   }
   const SetupResult four_bar = set_up_text(test::source_file("test/data/faulty/four_bar.urdf"));
-  EXPECT_NE(listed(four_bar.problems).find("name them with --closures"), std::string::npos)
-      << listed(four_bar.problems);
+  EXPECT_TRUE(test::has(listed(four_bar.problems), "name them with --closures"));
 }
 
 // What the chain that the platform hangs on does is not taken for a leg, nor a swivel for a motor.
@@ -210,31 +206,29 @@ TEST(Setup, RefusesWithTheTrueCause) {
     return listed(set_up_text(test::replaced(urdf_of(robot), one, other)).problems);
   };
   const std::string hung = refusal("hung_five_bar", "<axis xyz=\"0 1 0\"/>", "<axis xyz=\"0 0 1\"/>");
-  EXPECT_NE(hung.find("write <axis xyz=\"0 1 0\"/> for joint 'rail_y'"), std::string::npos) << hung;
+  EXPECT_TRUE(test::has(hung, "write <axis xyz=\"0 1 0\"/> for joint 'rail_y'"));
   const std::string knee = "<child link=\"link\"/><origin xyz=\"0.1 0.2 0\" rpy=\"0 0 0\"/><axis xyz=\"";
   const std::string struts = refusal("strut_and_crank", knee + "0 0 1", knee + "1 0 0");
-  EXPECT_NE(struts.find("write <axis xyz=\"0 0 1\"/> for joint 'knee'"), std::string::npos) << struts;
+  EXPECT_TRUE(test::has(struts, "write <axis xyz=\"0 0 1\"/> for joint 'knee'"));
   const std::string arm = "<child link=\"upper_arm_right\"/><origin xyz=\"0.05 0 0.02\"";
   const std::string layered = refusal("layered_five_bar", arm, arm + " rpy=\"1.5708 0 0.95993\"");
-  EXPECT_NE(layered.find("write rpy=\"0 0 0\" in the origin of joint 'shoulder_right'"), std::string::npos)
-      << layered;
+  EXPECT_TRUE(test::has(layered, "write rpy=\"0 0 0\" in the origin of joint 'shoulder_right'"));
 }
 
 // As a robot is refused whose YAML is written by hand.
 TEST(Setup, NamesTheElementAtFault) {
   const std::string joined = test::source_file("test/data/setup/gazebo_five_bar.urdf");
-  const std::string bare =
-      test::replaced(std::regex_replace(joined, std::regex("<gazebo>[\\s\\S]*?</gazebo>"), ""), "</robot>",
-                     "<link name=\"right_end\"/><joint name=\"right_end_joint\" type=\"fixed\"><parent "
-                     "link=\"forearm_right\"/>"
-                     "<child link=\"right_end\"/><origin xyz=\"-0.1 0.2 0\"/></joint></robot>");
+  const std::string bare = test::replaced(
+      std::regex_replace(joined, std::regex("<gazebo>[\\s\\S]*?</gazebo>"), ""), "</robot>",
+      "<link name=\"right_end\"/><joint name=\"right_end_joint\" type=\"fixed\"><parent "
+      "link=\"forearm_right\"/><child link=\"right_end\"/><origin xyz=\"-0.1 0.2 0\"/></joint></robot>");
   for (const std::string& good : {joined, bare}) {
     EXPECT_TRUE(set_up_text(good).mechanism) << listed(set_up_text(good).problems);
     const std::string knee = "<child link=\"forearm_right\"/><origin xyz=\"0 0.2 0\"/><axis xyz=\"";
     const SetupResult result = set_up_text(test::replaced(good, knee + "0 0 1", knee + "0 1 0"));
     EXPECT_FALSE(result.mechanism);
     const std::string said = listed(result.problems);
-    EXPECT_NE(said.find("<axis xyz=\"0 0 1\"/> for joint 'knee_right'"), std::string::npos) << said;
+    EXPECT_TRUE(test::has(said, "<axis xyz=\"0 0 1\"/> for joint 'knee_right'"));
   }
 }
 
@@ -280,7 +274,7 @@ TEST(Setup, SaysWhyAnswersDoNotFit) {
     EXPECT_FALSE(result.question) << joints.back();
     EXPECT_FALSE(result.cut_short) << joints.back();
     ASSERT_FALSE(result.problems.empty()) << joints.back();
-    EXPECT_NE(result.problems.back().find("--actuated '" + joints.front()), std::string::npos)
+    EXPECT_TRUE(test::has(result.problems.back(), "--actuated '" + joints.front()))
         << result.problems.front();
   }
 }
@@ -290,23 +284,20 @@ TEST(Setup, SaysThatTimeDidNotSufficeForAnAnswer) {
   const SetupResult result = set_up(urdf_of("guided_plunger"), "robot.urdf", "robot.yaml",
                                     with_closures({"plunger=small_end"}), none);
   ASSERT_EQ(result.problems.size(), 1U);
-  EXPECT_NE(result.problems.front().find("in the time there is"), std::string::npos)
-      << result.problems.front();
+  EXPECT_TRUE(test::has(result.problems.front(), "in the time there is"));
 }
 
 TEST(Setup, SaysThatAPlaceHasThreeCoordinates) {
   const SetupResult result =
       set_up_text(test::source_file("urdf/five_bar.urdf"), with_closures({"tool=rod_2@0.28:0"}));
-  EXPECT_EQ(result.problems,
-            Problems{"--closures has 'rod_2@0.28:0'; write a place in the frame of link 'rod_2' with three "
-                     "coordinates, as rod_2@X:Y:Z [m]."});
+  EXPECT_EQ(result.problems, Problems{"--closures has 'rod_2@0.28:0'; write a place in the frame of link "
+                                      "'rod_2' with three coordinates, as rod_2@X:Y:Z [m]."});
 }
 
 TEST(Setup, RefusesToCloseWhatIsFixed) {
   const SetupResult result = set_up_text(urdf_of("hung_three_rrr"), with_closures({"corner_1=corner_2"}));
   ASSERT_EQ(result.problems.size(), 1U) << listed(result.problems);
-  EXPECT_NE(result.problems.front().find("fixed to each other"), std::string::npos)
-      << result.problems.front();
+  EXPECT_TRUE(test::has(result.problems.front(), "fixed to each other"));
 }
 
 // Limits have to state an effort, so that it tells no more than a name does.
@@ -350,7 +341,7 @@ TEST(Setup, TakesAnswersAndSaysWhatElseWouldDo) {
   ASSERT_FALSE(choice->others.empty());
   const Strings elbows{"joint2", "joint4"};
   EXPECT_EQ(choice->others.front().values, elbows);
-  EXPECT_NE(found.config.find("joint2, joint4"), std::string::npos) << found.config;
+  EXPECT_TRUE(test::has(found.config, "joint2, joint4"));
   SetupAnswers answers;
   answers.actuated_joints = elbows;
   answers.operational_point = "link4_tip";

@@ -7,6 +7,7 @@
 #include "support/loops.h"
 #include "support/many_joints.h"
 #include "support/robots/shipped.h"
+#include "support/texts.h"
 #include <algorithm>
 #include <optional>
 #include <regex>
@@ -215,7 +216,7 @@ TEST(Setup, SaysThatATransmissionNamesNoJoint) {
   EXPECT_EQ(result.notes, Strings{note});
   ASSERT_TRUE(result.mechanism) << listed(result.problems);
   EXPECT_EQ(actuated_joints(*result.mechanism), (Strings{"crank_1_joint", "crank_2_joint", "crank_3_joint"}));
-  EXPECT_NE(result.config.find("of joint 'crank_2_jiont'"), std::string::npos) << result.config;
+  EXPECT_TRUE(test::has(result.config, "of joint 'crank_2_jiont'"));
 }
 
 // A tool behind a wrist on the first rod of a five-bar: the only open end of that chain.
@@ -236,9 +237,8 @@ TEST(Setup, NotesAWristThatIsInALoop) {
     ASSERT_EQ(result.notes.size(), 1U);
     EXPECT_EQ(result.notes.front(),
               "Joint '" + std::string(first) +
-                  "' of robot.urdf is in a loop and turns there without moving anything "
-                  "else; where it is a wrist behind the platform, close the loop before "
-                  "it, by --closures tool=closing_2.");
+                  "' of robot.urdf is in a loop and turns there without moving anything else; where it is a "
+                  "wrist behind the platform, close the loop before it, by --closures tool=closing_2.");
     const SetupResult before = set_up_text(urdf, with_closures({"tool=closing_2"}));
     ASSERT_TRUE(before.mechanism) << listed(before.problems);
     EXPECT_EQ(before.notes, Strings{});
@@ -264,7 +264,7 @@ TEST(Setup, ListsOtherOperationalPoints) {
     EXPECT_EQ(others.front(), "platform");
     EXPECT_EQ(std::count(others.begin(), others.end(), "screw_hole"), 0);
   }
-  EXPECT_NE(result.config.find("Would load too: platform"), std::string::npos) << result.config;
+  EXPECT_TRUE(test::has(result.config, "Would load too: platform"));
 }
 
 std::string without_numbers(std::string wrist) {

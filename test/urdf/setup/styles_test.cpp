@@ -5,6 +5,7 @@
 
 #include "support/loops.h"
 #include "support/robots/shipped.h"
+#include "support/texts.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -94,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Styles, AsksForBothEndsOfStruts) {
   const SetupResult asked = set_up_style("hexapod_without_ends.urdf");
   ASSERT_TRUE(asked.question) << text_of(asked);
-  EXPECT_NE(asked.question->text.find("their rods have none at the far end"), std::string::npos);
+  EXPECT_TRUE(test::has(asked.question->text, "their rods have none at the far end"));
   const std::array<std::array<double, 2>, 5> corners{{{0.132417, 0.149886},
                                                       {0.0635961, 0.189619},
                                                       {-0.196013, 0.0397339},
@@ -161,7 +162,7 @@ TEST_P(RefusedInStyle, SaysWhyAtOnce) {
   EXPECT_FALSE(result.mechanism);
   EXPECT_FALSE(result.question) << result.question->text;
   ASSERT_FALSE(result.problems.empty());
-  EXPECT_NE(result.problems.front().find(GetParam().reason), std::string::npos) << text_of(result);
+  EXPECT_TRUE(test::has(result.problems.front(), GetParam().reason)) << text_of(result);
   EXPECT_LE(result.problems.size(), 5U);
 }
 
