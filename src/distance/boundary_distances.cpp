@@ -2,10 +2,10 @@
 #include "parallel_aspects/distance/boundary_distances.h"
 
 #include "aspects/constraints/finite_lengths.h"
-#include "distance/boundary_distance_parts.h"
 #include "distance/hinge_search.h"
 #include "distance/leg_search.h"
 #include "distance/parallel_search.h"
+#include "distance/search_result.h"
 #include "model/task_space_traits.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/model/problems.h"

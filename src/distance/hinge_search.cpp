@@ -2,7 +2,7 @@
 #include "distance/hinge_search.h"
 
 #include "aspects/zeros/krawczyk.h"
-#include "distance/boundary_distance_parts.h"
+#include "distance/search_result.h"
 #include "model/angles.h"
 
 #include <algorithm>

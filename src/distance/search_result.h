@@ -4,6 +4,9 @@
 
 #include "distance/point_dual.h"
 #include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
 
 #include <algorithm>
 #include <array>
@@ -76,6 +79,42 @@ Coordinates<N> moved(const Coordinates<N>& y, double distance, const Coordinates
   Coordinates<N> result = y;
   for (std::size_t i = 0; i < N; ++i) result[i] += distance * direction[i];
   return result;
+}
+
+/// The inverse solution of the pose; joint values and status are filled by it. There is nothing to search for
+/// where a leg does not reach.
+inline InverseSolution begin_distances(const Manipulator& robot, const Pose& pose, const WorkingMode& mode,
+                                       BoundaryDistances& result) noexcept {
+  InverseSolution solution = inverse(robot, pose, mode);
+  result.q = solution.q;
+  result.status = solution.status == InverseStatus::out_of_reach ? ConfigurationStatus::out_of_reach
+                  : solution.status == InverseStatus::solved     ? ConfigurationStatus::measured
+                                                                 : ConfigurationStatus::outside_limits;
+  return solution;
+}
+
+/// Where the pose is of the boundary itself, by this leg.
+inline BoundaryDistance touching(std::size_t leg) noexcept {
+  BoundaryDistance result;
+  result.status = DistanceStatus::touching;
+  result.leg = leg;
+  return result;
+}
+
+/// The joint values at the witness of a distance, and how far they are from q.
+inline void add_joints_of_witness(const Manipulator& robot, const WorkingMode& mode, const JointVector& q,
+                                  BoundaryDistance& found) noexcept {
+  found.witness_q.resize(q.size());
+  found.joint_displacement.resize(q.size());
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const auto index = static_cast<std::size_t>(j);
+    const Leg& leg = robot.leg(index);
+    const double to = joint_value(leg, found.witness.transform(leg.anchor), mode.sign(index)),
+                 way = to - q[j];
+    found.witness_q[j] = to;
+    found.joint_displacement[j] =
+        leg.actuated_by_angle() && !leg.limits.limited() ? std::remainder(way, 2.0 * EIGEN_PI) : way;
+  }
 }
 
 }  // namespace parallel_aspects
