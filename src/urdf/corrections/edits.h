@@ -106,7 +106,8 @@ std::string place_text(const Subject& subject, const PlacedEnd& end);
 /// With another place.
 FrameChange moved(const Subject& subject, const PlacedEnd& end, const Eigen::Vector3d& place);
 
-inline constexpr double millimetre = 1e-3;    // [m]
+inline constexpr double millimetre = 1e-3;     // [m]
+inline constexpr double widest_robot = 100.0;  // [m]; wider ones are taken for such in millimetres
 inline constexpr double out_of_scale = 30.0;  // of a length in millimetres against others in metres, at least
 
 }  // namespace parallel_aspects

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -16,8 +17,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr double shortest_that_is_meant =
-    1.0 / 150.0;                        // of slides of a robot that loads: piezo stages have 1/100
-constexpr double widest_robot = 100.0;  // [m]; wider ones are taken for such in millimetres
+    1.0 / 150.0;  // of slides of a robot that loads: piezo stages have 1/100
 
 constexpr double most_radians = 6.9;           // that somebody writes for an angle: a turn and a tenth
 constexpr double most_turns = 6.0 * EIGEN_PI;  // of round angles that are computed, as 3 turns
@@ -66,9 +66,19 @@ Edits metres_for_lengths(const Subject& s) {
   return {edit};
 }
 
-// Of several joints that stand out, as those of one leg; of a single one among the edits of its origin.
+double shortest_length(const Subject& s) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const std::size_t joint : s.loops.all())
+    if (const double length = s.tree.joints[joint].origin.translation().norm(); length > 0.0)
+      shortest = std::min(shortest, length);
+  return shortest;
+}
+
+// Of several joints that stand out, as those of one leg; of a single one among the edits of its origin. Half
+// of a robot with two legs is in one of them: where it is wide as none is, the short lengths are those that
+// are meant.
 Edits metres_for_origins(const Subject& s) {
-  const double usual = s.loops.usual_length();
+  const double usual = s.size() > widest_robot ? shortest_length(s) : s.loops.usual_length();
   std::vector<Change> changes;
   std::vector<std::string> names;
   for (const std::size_t joint : s.loops.all()) {

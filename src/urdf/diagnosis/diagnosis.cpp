@@ -233,9 +233,11 @@ class Search {
                                  static_cast<Eigen::Index>(s_.resolved.actuated_joints.variables.size());
   }
 
-  // Then lengths and axes are not at fault.
+  // Then lengths and axes are not at fault. Beside lengths in millimetres, those in metres count as zero.
   bool is_known() {
-    if (!is_known_) is_known_ = (has_zero_length() && has_mobility()) || closes_without_limits();
+    if (!is_known_)
+      is_known_ =
+          (s_.size() <= widest_robot && has_zero_length() && has_mobility()) || closes_without_limits();
     return *is_known_;
   }
 

@@ -7,6 +7,7 @@
 #include "support/texts.h"
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -78,6 +79,27 @@ TEST(Units, OfOneLengthAreNamedByItsJoint) {
   EXPECT_EQ(sentence(robot),
             "robot.urdf is 5e+03 m wide, as if in millimetres; write xyz=\"5 0 0\" in the origin of joint "
             "'pivot_2_joint', which makes it a robot in T2.");
+}
+
+// Half of the lengths of a five-bar are those of one leg.
+TEST(Units, OfALegAreMetres) {
+  Description robot = shipped_text("five_bar");
+  for (const auto& [joint, xyz] : {std::pair<const char*, const char*>{"crank_2_joint", "9"},
+                                   {"elbow_2_joint", "5"},
+                                   {"closing_2_joint", "8"}}) {
+    const std::string length = std::string("\"") + xyz + " 0 0\"";
+    const std::size_t at =
+        robot.urdf.find(length, robot.urdf.find(std::string("<joint name=\"") + joint + "\""));
+    ASSERT_NE(at, std::string::npos) << joint;
+    robot.urdf.insert(at + 2, "000");
+  }
+  const std::string said = sentence(robot);
+  EXPECT_EQ(said.rfind("robot.urdf has origins of joints far beyond the others, 'crank_2_joint', "
+                       "'elbow_2_joint', 'closing_2_joint', as if in millimetres; write xyz=\"9 0 0\"",
+                       0),
+            0U)
+      << said;
+  expect_remedies_work(robot, said);
 }
 
 TEST(Units, OfARobotAreMetres) {
