@@ -180,8 +180,9 @@ std::vector<int> flood(const std::vector<int>& signs, int sign, int cells) {
 void expect_like_flood(const Robot& robot, double resolution) {
   constexpr int cells = 240;
   constexpr double cell = (2.0 * EIGEN_PI / cells) * (2.0 * EIGEN_PI / cells), sliver = 0.03;
-  const auto map = hinge_map(robot, resolution);
+  const auto map = hinge_map(robot, resolution, true);
   ASSERT_TRUE(map);
+  std::size_t pieces = 0;  // of more than a few cells, which may be tips of others
   for (const WorkingMode& mode : working_modes(*robot)) {
     const std::vector<int> signs = signs_of(*robot, mode, cells);
     for (const int sign : {1, -1}) {
@@ -189,6 +190,8 @@ void expect_like_flood(const Robot& robot, double resolution) {
       for (const Aspect& aspect : map->aspects())
         if (aspect.mode == mode && aspect.determinant_sign == sign) aspects.push_back(aspect);
       const std::vector<int> sizes = flood(signs, sign, cells);
+      pieces += static_cast<std::size_t>(
+          std::count_if(sizes.begin(), sizes.end(), [](int size) { return size > 9; }));
       for (std::size_t i = 0; i < sizes.size() && cell * sizes[i] > 3.0 * sliver; ++i) {
         SCOPED_TRACE(robot->name() + ' ' + key(mode, sign) + ' ' + std::to_string(i));
         ASSERT_LT(i, aspects.size());
@@ -200,6 +203,9 @@ void expect_like_flood(const Robot& robot, double resolution) {
       EXPECT_LE(std::count_if(aspects.begin(), aspects.end(), larger),
                 std::count_if(sizes.begin(), sizes.end(), found));
     }
+  }
+  if (map->count_at_most()) {
+    EXPECT_LE(pieces, *map->count_at_most()) << robot->name();
   }
 }
 
