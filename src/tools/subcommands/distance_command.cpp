@@ -82,6 +82,16 @@ std::string hint_of_map(const RobotChoice& robot, const Manipulator& manipulator
          words + " --save " + file + "`, and add --map " + file + " here.\n";
 }
 
+// Margins are looked at, but not as boundaries.
+std::string left_out_text(const Manipulator& manipulator) {
+  std::string names;
+  for (const ConstraintKind kind : all_constraint_kinds)
+    if (kind != ConstraintKind::actuated_limits && kind != ConstraintKind::margins &&
+        manipulator.constraint_kinds()[index_of(kind)])
+      names += (names.empty() ? "" : ", ") + std::string(name(kind));
+  return names.empty() ? "" : "No distances are measured to boundaries by " + names + ".\n";
+}
+
 Report report_of(const DistanceArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto& robot = mechanism->manipulator();
@@ -89,6 +99,7 @@ Report report_of(const DistanceArguments& arguments, const Surroundings& surroun
   const ask::DistanceAnswer answer = asked(robot, question, surroundings);
   Report report{answer_json(*robot, answer), distances_text(*robot, answer)};
   report.json["mechanism"] = robot->name();
+  report.text += left_out_text(*robot);
   report.text += answer.loaded ? source_text(question.map, *answer.loaded)
                                : hint_of_map(arguments.robot, *robot, answer.answers);
   return report;
