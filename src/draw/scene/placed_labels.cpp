@@ -40,9 +40,10 @@ constexpr std::size_t letters = 26;
 Eigen::Vector3d place_of(const Manipulator& robot, const Pose& pose, double radius, double height) {
   if (is_planar(robot.task_space())) return pose.position + height * Eigen::Vector3d::UnitY();
   const double scale = robot.task_space() == TaskSpace::SO3 ? radius : 1.0;
-  Eigen::Vector3d nearest = scale * pose.transform(robot.leg(0).anchor);
+  const Eigen::Matrix3d axes = scale * drawing_axes(robot);
+  Eigen::Vector3d nearest = axes * pose.transform(robot.leg(0).anchor);
   for (const Leg& leg : robot.legs()) {
-    const Eigen::Vector3d anchor = scale * pose.transform(leg.anchor);
+    const Eigen::Vector3d anchor = axes * pose.transform(leg.anchor);
     if (anchor.y() < nearest.y()) nearest = anchor;
   }
   return nearest + height * Eigen::Vector3d(0.0, -1.0, 0.5);

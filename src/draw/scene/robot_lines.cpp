@@ -1,14 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "draw/scene/robot_lines.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace parallel_aspects {
+
+Eigen::Matrix3d drawing_axes(const Manipulator& robot) noexcept {
+  return has_hinges(robot.task_space()) ? Eigen::Matrix3d(robot.task_frame().linear())
+                                        : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+}
+
+Eigen::Isometry3d drawing_frame(const Manipulator& robot) noexcept {
+  Eigen::Isometry3d frame = robot.task_frame();
+  frame.linear() = frame.linear() * drawing_axes(robot).transpose();
+  return frame;
+}
 
 double turn_length(const Manipulator& manipulator) noexcept { return manipulator.size(); }
 
 double drawn_size(const Manipulator& robot, double radius) noexcept {
   return robot.task_space() == TaskSpace::SO3 ? 2.0 * radius : robot.size();
+}
+
+double sphere_radius(const Manipulator& robot) noexcept {
+  double farthest = 0.0;
+  for (const Leg& leg : robot.legs())
+    farthest = std::max(farthest, std::abs(robot.motions().hinges.offset) + leg.anchor.norm());
+  return 1.4 * farthest;
 }
 
 namespace {
@@ -17,7 +37,7 @@ using Eigen::Vector3d;
 
 class Skeleton {
  public:
-  explicit Skeleton(double scale) : scale_(scale) {}
+  explicit Skeleton(const Eigen::Matrix3d& scale) : scale_(scale) {}
 
   void add(const Vector3d& from, const Vector3d& to) {
     if (from.isApprox(to) || !(from + to).allFinite()) return;
@@ -27,7 +47,7 @@ class Skeleton {
   std::vector<Vector3d> take() { return std::move(ends_); }
 
  private:
-  double scale_;
+  Eigen::Matrix3d scale_;
   std::vector<Vector3d> ends_;
 };
 
@@ -45,7 +65,7 @@ void add_leg(const Leg& leg, const Vector3d& anchor, double q, Skeleton& skeleto
 
 std::vector<Vector3d> skeleton_of(const Manipulator& robot, const Pose& pose, const JointVector& q,
                                   double radius) {
-  Skeleton skeleton(robot.task_space() == TaskSpace::SO3 ? radius : 1.0);
+  Skeleton skeleton((robot.task_space() == TaskSpace::SO3 ? radius : 1.0) * drawing_axes(robot));
   const Vector3d point = pose.transform(Vector3d::Zero());
   Vector3d before = pose.transform(robot.leg(robot.leg_count() - 1).anchor);
   for (std::size_t j = 0; j < robot.leg_count(); ++j) {

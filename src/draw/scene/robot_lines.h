@@ -7,6 +7,7 @@
 #include "parallel_aspects/model/pose.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <vector>
 
@@ -19,8 +20,21 @@ inline constexpr double view_pitch = 0.3;
 /// room: its radius over the robot's size, and the distance of its middle from the robot over that radius.
 inline constexpr double ball_radius = 0.15, ball_distance = 1.8;
 
+/// The frame that pictures of the robot are drawn in, in its base frame: the task frame, but with the axes of
+/// the base in R1 and R2, where those of the task frame may point anywhere.
+Eigen::Isometry3d drawing_frame(const Manipulator& robot) noexcept;
+
+/// Turns what is in the task frame into the drawing frame.
+Eigen::Matrix3d drawing_axes(const Manipulator& robot) noexcept;
+
 /// How long a turn of a robot of SE2 is drawn across the plane: as long as the robot is wide [m].
 double turn_length(const Manipulator& manipulator) noexcept;
+
+/// Of the sphere around the platform of a robot of R2 on which the display draws where its normal points [m].
+double sphere_radius(const Manipulator& robot) noexcept;
+
+/// The share of its radius that one sheet of it lies farther in, and the other farther out.
+inline constexpr double between_sheets = 0.08;
 
 /// Of a legend above all that a robot reaches: height of its letters over that of what is seen, and from line
 /// to line over that.
@@ -33,8 +47,9 @@ double drawn_size(const Manipulator& robot, double radius) noexcept;
 /// How wide the lines of a skeleton are, over the size of the robot.
 inline constexpr double skeleton_width = 0.012;
 
-/// Legs and platform of the model as segments in the task frame, two points each [m]: what a robot looks like
-/// whose URDF has no visuals. `radius`: of the sphere that a robot of SO3 takes, whose model has no size [m].
+/// Legs and platform of the model as segments in the drawing frame, two points each [m]: what a robot looks
+/// like whose URDF has no visuals. `radius`: of the sphere that a robot of SO3 takes, whose model has no size
+/// [m].
 std::vector<Eigen::Vector3d> skeleton_of(const Manipulator& robot, const Pose& pose, const JointVector& q,
                                          double radius);
 

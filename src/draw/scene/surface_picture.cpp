@@ -28,8 +28,9 @@ constexpr std::size_t most_columns = 4;
 // Of robots that only turn, it is directions of axes that have the size.
 double radian_of(const Manipulator& robot, const PictureChoice& choice) {
   const TaskSpace space = robot.task_space();
-  if (space != TaskSpace::SE2 && space != TaskSpace::SO3) return 1.0;
+  if (space != TaskSpace::SE2 && space != TaskSpace::SO3 && !has_hinges(space)) return 1.0;
   if (choice.radian > 0.0) return choice.radian;
+  if (has_hinges(space)) return sphere_radius(robot);
   return turn_length(robot) * (space == TaskSpace::SO3 ? 2.0 * ball_radius : 1.0) / (2.0 * pi);
 }
 
@@ -43,6 +44,7 @@ std::string listed(const std::set<int>& ids) {
 AlignedBox3d workspace_box(const AspectMap& map, double radian) {
   const TaskSpace space = map.manipulator()->task_space();
   if (space == TaskSpace::SO3) return {Vector3d::Constant(-pi * radian), Vector3d::Constant(pi * radian)};
+  if (has_hinges(space)) return {Vector3d::Constant(-1.1 * radian), Vector3d::Constant(1.1 * radian)};
   AlignedBox3d box;
   for (const Aspect& aspect : map.aspects())
     for (const auto& end : {aspect.bounds.lower, aspect.bounds.upper}) {
@@ -71,7 +73,7 @@ class Composer {
     picture_.radian = radian_of(robot_, choice);
     picture_.size = space == TaskSpace::SO3 ? 2.0 * pi * picture_.radian : robot_.size();
     style_ = {picture_.radian, choice.aspect, choice.candidates, section(), std::nullopt, {}, choice.names};
-    if (present) style_.robot = drawn_point(space, *present, picture_.radian);
+    if (present) style_.robot = drawn_point(robot_, *present, picture_.radian);
     if (present) style_.platform = platform_corners(robot_, *present);
     picture_.is_cut = style_.section.has_value();
     box_ = choice.robot;
@@ -189,7 +191,7 @@ class Composer {
       raised += legend_pitch;
       return result;
     };
-    if (choice_.tells_boundaries || robot_.task_space() == TaskSpace::T2)
+    if (choice_.tells_boundaries || !has_surfaces(store_.map()))
       for (const BoundaryStyle& style : boundary_styles())
         if (paint_.kinds().count(style.kind) != 0)
           picture_.meanings.push_back(line(style.color_word + std::string(": ") + style.words, style.color));

@@ -2,6 +2,7 @@
 #include "draw/scene/workspace_bodies.h"
 
 #include "draw/scene/placed_labels.h"
+#include "draw/scene/robot_lines.h"
 
 #include <Eigen/Geometry>
 
@@ -18,10 +19,11 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr double in_front = 0.002;        // of the robot's size: lines before the faces that they bound
-constexpr std::size_t name_letters = 2;   // of a candidate, which are larger than others
-constexpr std::size_t most_places = 500;  // that are examined for a label
-constexpr int most_beside = 5;            // labels one over the other on each side of the platform
+constexpr double in_front = 0.002;         // of the robot's size: lines before the faces that they bound
+constexpr std::size_t name_letters = 2;    // of a candidate, which are larger than others
+constexpr std::size_t most_places = 500;   // that are examined for a label
+constexpr int most_cells_of_sphere = 120;  // along an edge, as each is a face of its own
+constexpr int most_beside = 5;             // labels one over the other on each side of the platform
 
 Vector3d scale_of(TaskSpace space, double radian) {
   if (space == TaskSpace::SO3) return Vector3d::Constant(radian);
@@ -67,8 +69,27 @@ std::vector<Vector3d> platform_corners(const Manipulator& robot, const Pose& pos
   return corners;
 }
 
-Vector3d drawn_point(TaskSpace space, const Pose& pose, double radian) {
+namespace {
+
+// The common normal of the hinges, from the side of the legs to that of the platform.
+Vector3d normal_of_platform(const Manipulator& robot) {
+  double side = 0.0;
+  for (const Leg& leg : robot.legs()) side += leg.base_point().x();
+  return side > 0.0 ? Vector3d(-Vector3d::UnitX()) : Vector3d(Vector3d::UnitX());
+}
+
+Vector3d point_on_sphere(const Manipulator& robot, const Pose& pose, double radian) {
+  const PoseCoordinates angles = pose_coordinates(robot.task_space(), pose);
+  const double out = 1.0 - between_sheets * std::cos(angles[angles.size() - 1]);
+  return radian * out * (drawing_axes(robot) * (pose.orientation * normal_of_platform(robot)));
+}
+
+}  // namespace
+
+Vector3d drawn_point(const Manipulator& robot, const Pose& pose, double radian) {
+  const TaskSpace space = robot.task_space();
   if (space == TaskSpace::T1 || space == TaskSpace::T2) return pose.position;
+  if (has_hinges(space)) return point_on_sphere(robot, pose, radian);
   return surface_point(space, pose).cwiseProduct(scale_of(space, radian));
 }
 
@@ -110,8 +131,8 @@ class WorkspaceBodies {
                    const std::atomic<bool>& cancelled) {
     part_ = {};
     rooms_.clear();
-    if (space_ == TaskSpace::T2) {
-      draw_plane(ids, cells);
+    if (space_ == TaskSpace::T2 || space_ == TaskSpace::R2) {
+      draw_plane(ids, space_ == TaskSpace::R2 ? std::min(cells, most_cells_of_sphere) : cells);
     } else if (has_surfaces(store_.map())) {
       for (const int id : ids)
         if (!cancelled) draw_surface(id, std::max<std::size_t>(2000, most_triangles / ids.size()));
@@ -211,19 +232,28 @@ class WorkspaceBodies {
   void draw_plane(const std::vector<int>& ids, int cells) {
     const AspectMap& map = store_.map();
     const PosePlane plane = plane_of(map);
-    const auto at_layer = [this](double layer) {
+    const bool is_sphere = space_ == TaskSpace::R2;
+    const auto at_layer = [&](double layer) {
       const double height = (layer * 0.1 - 1.0) * plane_below * store_.robot().size();
-      return [height](const Eigen::Vector2d& point) { return Vector3d(point.x(), point.y(), height); };
+      return [this, &plane, is_sphere, layer, height](const Eigen::Vector2d& point) {
+        if (!is_sphere) return Vector3d(point.x(), point.y(), height);
+        return Vector3d((1.0 + in_front * layer) *
+                        drawn_point(store_.robot(), plane.slice.pose(point), style_.radian));
+      };
     };
     for (const WorkingMode& mode : map.working_modes()) {
       std::set<int> shown;
       for (const int id : ids)
         if (map.aspects()[static_cast<std::size_t>(id - 1)].mode == mode) shown.insert(id);
       if (shown.empty()) continue;
-      const BoundaryPicture traced = trace_slice(map, mode, plane.slice, plane.bounds, cells);
+      const BoundaryPicture traced =
+          trace_slice(map, mode, plane.slice, plane.bounds, cells, is_sphere ? Cells::single : Cells::merged);
       const PlaneScene scene = pose_scene(map, plane, traced, shown);
       for (const PlaneArea& area : scene.areas) {
         part_.meshes.push_back(flat_mesh(area, at_layer(0.0)));
+        if (is_sphere)
+          for (std::size_t i = 0; i < part_.meshes.back().points.size(); ++i)
+            part_.meshes.back().normals[i] = part_.meshes.back().points[i].normalized();
         add_room(part_.meshes.back());
       }
       const std::vector<BoundarySegment> boundaries = boundaries_of(scene.boundaries, shown);
@@ -240,7 +270,7 @@ class WorkspaceBodies {
 
   void add_label(int id) {
     const Aspect& aspect = store_.map().aspects()[static_cast<std::size_t>(id - 1)];
-    Vector3d at = drawn_point(space_, aspect.deepest, style_.radian);
+    Vector3d at = drawn_point(store_.robot(), aspect.deepest, style_.radian);
     const auto room = rooms_.find(id);
     if (room != rooms_.end() && !room->second.places.empty())
       at = room->second.roomiest(style_.robot).cast<double>();

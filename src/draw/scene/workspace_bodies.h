@@ -29,11 +29,14 @@ struct WorkspaceStyle {
 /// none where they are that point, and of robots that only turn, which are drawn elsewhere [m].
 std::vector<Eigen::Vector3d> platform_corners(const Manipulator& robot, const Pose& pose);
 
-/// Where a pose is in the coordinates of the picture [m].
-Eigen::Vector3d drawn_point(TaskSpace space, const Pose& pose, double radian);
+/// Where a pose is in the coordinates of the picture [m]. In R2 it is where the normal of the platform, which
+/// is the common normal of both hinges where their angles are 0, points on a sphere about the task frame, on
+/// the side that the legs leave. Two poses have one normal: those where theta2 is beyond a quarter of a turn
+/// are a little farther out. In R1 likewise, on a circle.
+Eigen::Vector3d drawn_point(const Manipulator& robot, const Pose& pose, double radian);
 
-/// Aspects of a map in the workspace: areas of T2, and surfaces of three coordinates. `most_triangles`: of
-/// all surfaces together. `cells`: of the grid that areas are traced on, along an edge.
+/// Aspects of a map in the workspace: areas of T2 and R2, and surfaces of three coordinates.
+/// `most_triangles`: of all surfaces together. `cells`: of the grid that areas are traced on, along an edge.
 PicturePart workspace_bodies(SurfaceStore& store, AspectPaint& paint, const WorkspaceStyle& style,
                              const std::vector<int>& ids, std::size_t most_triangles, int cells,
                              const std::atomic<bool>& cancelled);

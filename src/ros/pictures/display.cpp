@@ -77,12 +77,6 @@ void Display::set_map(const std::shared_ptr<const AspectMap>& map) {
   }
   if (map->aspects().empty() || degrees_of_freedom(map->manipulator()->task_space()) < 2)
     return;  // the gauges stay
-  if (has_hinges(map->manipulator()->task_space())) {
-    ROS_INFO_STREAM("The map of " << map->manipulator()->name()
-                                  << " is of angles, and is not drawn among the markers yet; see it with "
-                                     "`aspects plot`.");
-    return;
-  }
   if (map->manipulator()->task_space() == TaskSpace::T2)
     set_picture(make_map_picture(map, frames_, options));
   else
@@ -163,7 +157,7 @@ void Display::publish_position(const Drawn& now, const std::string& words) {
   visualization_msgs::MarkerArray array = picture_->position(now);
   const Caption caption = caption_of(scene_, words);
   MarkerBatch batch;
-  batch.text({frames_.base, manipulator_->task_frame() * Eigen::Translation3d(caption.at)}, "caption",
+  batch.text({frames_.base, drawing_frame(*manipulator_) * Eigen::Translation3d(caption.at)}, "caption",
              Eigen::Vector2d::Zero(), 0.0, caption.text_height, caption.words, color(ink_color));
   array.markers.push_back(batch.take().markers.back());
   draw_robots(now, array.markers);
@@ -204,7 +198,7 @@ void Display::draw_name(std::size_t candidate, const Eigen::Vector3d& at, Marker
                                         : Eigen::Vector3d(0.0, -std::cos(view_pitch), std::sin(view_pitch));
   const Eigen::Vector3d place = at + (scene_.planar ? 0.1 * size : 0.0) * to_viewer;
   const auto plane = [&](const Eigen::Vector3d& point) {
-    return MarkerBatch::Plane{frames_.base, manipulator_->task_frame() * Eigen::Translation3d(point)};
+    return MarkerBatch::Plane{frames_.base, drawing_frame(*manipulator_) * Eigen::Translation3d(point)};
   };
   const Rgb shade = candidate_color(candidate);
   batch.dots(plane(place), "candidate_names", {Eigen::Vector2d::Zero()}, 0.0, ball * height, color(shade));

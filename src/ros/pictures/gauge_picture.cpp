@@ -55,7 +55,7 @@ class GaugePicture : public Picture {
   }
 
   std::vector<geometry_msgs::TransformStamped> frames() const override {
-    return {still_frame(frames_.base, frames_.aspects, manipulator_->task_frame() * scene_.gallery)};
+    return {still_frame(frames_.base, frames_.aspects, drawing_frame(*manipulator_) * scene_.gallery)};
   }
 
  private:

@@ -98,7 +98,7 @@ void RobotVisuals::read_visuals(const std::string& urdf) {
 void RobotVisuals::add_still(std::size_t link, const Eigen::Isometry3d& origin, const Marker& shape) {
   if (shape.type == Marker::MESH_RESOURCE) return;
   const Poses frames = link_poses(tree_, base_, Eigen::VectorXd::Zero(tree_.variables()));
-  const Eigen::Isometry3d place = mechanism_->manipulator()->task_frame().inverse() * frames[link] * origin;
+  const Eigen::Isometry3d place = drawing_frame(*mechanism_->manipulator()).inverse() * frames[link] * origin;
   const Eigen::Vector3d half = 0.5 * Eigen::Vector3d(shape.scale.x, shape.scale.y, shape.scale.z);
   const Eigen::AlignedBox3d box(Eigen::Vector3d(-half), half);
   for (int i = 0; i < 8; ++i)
@@ -139,7 +139,7 @@ std::vector<Marker> RobotVisuals::skeleton_at(const Pose& pose, const JointVecto
                                               const std_msgs::ColorRGBA& color) const {
   const Manipulator& robot = *mechanism_->manipulator();
   MarkerBatch batch;
-  batch.segments({base_frame_, robot.task_frame()}, group, skeleton_of(robot, pose, q, radius_),
+  batch.segments({base_frame_, drawing_frame(robot)}, group, skeleton_of(robot, pose, q, radius_),
                  skeleton_width * drawn_size(robot, radius_), color);
   return added_by(batch.take());
 }

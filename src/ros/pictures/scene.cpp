@@ -94,6 +94,13 @@ double height_of(const AlignedBox3d& box, bool planar) {
   return planar ? size.y() : size.z() * std::cos(view_pitch) + size.y() * std::sin(view_pitch);
 }
 
+AlignedBox3d turned(const AlignedBox3d& box, const Eigen::Matrix3d& axes) {
+  AlignedBox3d result;
+  for (int i = 0; i < 8; ++i)
+    result.extend(Vector3d(axes * box.corner(static_cast<AlignedBox3d::CornerType>(i))));
+  return result;
+}
+
 Eigen::Isometry3d gallery_frame(const Scene& scene, double height) {
   const AlignedBox3d& robot = scene.robot;
   const Vector3d center = robot.center();
@@ -173,6 +180,7 @@ Scene scene_of(const Mechanism& mechanism, const NodeOptions& options, const Ali
     scene.robot = {Vector3d::Constant(-scene.radius), Vector3d::Constant(scene.radius)};
   }
   extend_by_assembly_modes(mechanism, scene.robot);
+  scene.robot = turned(scene.robot, drawing_axes(robot));
   extend_by_base(still, scene.robot);
   scene.reach = reach_box(robot, start);
   if (scene.planar) {

@@ -42,14 +42,14 @@ class TileLayout {
 /// others.
 struct Scene {
   /// What the robot takes with all its assembly modes about the start, and what a planar one can reach, in
-  /// the task frame [m].
+  /// the drawing frame [m].
   Eigen::AlignedBox3d robot;
   Eigen::AlignedBox3d reach;  ///< `reach_box` about the start
   double radius = 0.0;        ///< of the sphere that a robot of SO3 takes, whose model has no size [m]
   bool planar = true;
   TileLayout tiles;
   Eigen::Isometry3d gallery =
-      Eigen::Isometry3d::Identity();  ///< x right, y up, z to the viewer, in the task frame
+      Eigen::Isometry3d::Identity();  ///< x right, y up, z to the viewer, in the drawing frame
 };
 
 /// For the words of the probe, above a planar robot and what it reaches: of their height together.
@@ -84,7 +84,7 @@ struct Caption {
   static constexpr double line_pitch = 1.2;     ///< from one line to the next, over the height of the text
 
   std::string words;         ///< with line breaks
-  Eigen::Vector3d at;        ///< middle of the text, task frame [m]
+  Eigen::Vector3d at;        ///< middle of the text, drawing frame [m]
   double text_height = 0.0;  ///< [m]
 };
 
@@ -92,7 +92,7 @@ struct Caption {
 /// dots.
 Caption caption_of(const Scene& scene, const std::string& words);
 
-/// Opposite corners of what the longest caption takes, in the task frame [m].
+/// Opposite corners of what the longest caption takes, in the drawing frame [m].
 std::vector<Eigen::Vector3d> caption_corners(const Scene& scene);
 
 }  // namespace parallel_aspects

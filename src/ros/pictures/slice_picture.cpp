@@ -18,6 +18,7 @@ constexpr double gallery_step = 0.02, present_step = 0.005;  // of the range of 
 constexpr std::size_t max_lines = 3;                         // of legend under a tile
 
 std::pair<double, double> level_bounds(const AspectMap& map) {
+  if (map.manipulator()->task_space() == TaskSpace::R2) return {0.0, 1.0};  // its level is always 0
   if (map.manipulator()->task_space() == TaskSpace::SO3) return {-EIGEN_PI, EIGEN_PI};
   double lower = 0.0, upper = 0.0;
   for (const Aspect& aspect : map.aspects()) {
@@ -54,14 +55,16 @@ bool is_hidden(const AspectMap& map) {
   return !workspace.isEmpty() && workspace.sizes().maxCoeff() < 2.0 * radius;
 }
 
-/// Slices of every working mode, and that of the present mode at the robot.
+/// Slices of every working mode, and that of the present mode at the robot. In R2 a slice is all there is:
+/// the torus of both angles as a square, of which opposite sides are one.
 class SlicePicture : public Picture {
  public:
   SlicePicture(std::shared_ptr<const AspectMap> map, MarkerFrames frames, const Scene& scene,
                const DisplayOptions& options)
       : map_(std::move(map)),
         colors_(aspect_colors(map_->aspects())),
-        space_(map_->manipulator()->task_space()),
+        motions_(map_->manipulator()->motions()),
+        space_(motions_.space),
         frames_(std::move(frames)),
         scene_(scene),
         options_(options),
@@ -86,7 +89,8 @@ class SlicePicture : public Picture {
     const double text = scene_.tiles.text_height();
     const PlanePainter whole = painter(0, "gallery", text, batch);
     whole.words("/title", {0.5 * scene_.tiles.width(), 1.0 * text}, 1.2 * text,
-                "aspects at " + plane.slice.text());
+                space_ == TaskSpace::R2 ? "aspects over theta1, to the right, and theta2, each from -pi to pi"
+                                        : "aspects at " + plane.slice.text());
     Vector2d at(0.5 * scene_.tiles.width(), -scene_.tiles.height() - 0.5 * text);
     for (const LegendEntry& entry : boundary_legend(kinds)) {
       whole.words("/legend", at, 0.9 * text, entry.text, entry.color);
@@ -130,14 +134,16 @@ class SlicePicture : public Picture {
   }
 
   std::vector<geometry_msgs::TransformStamped> frames() const override {
-    return {still_frame(frames_.base, frames_.aspects, map_->manipulator()->task_frame() * scene_.gallery)};
+    return {still_frame(frames_.base, frames_.aspects, drawing_frame(*map_->manipulator()) * scene_.gallery)};
   }
 
-  std::optional<PoseSlice> section(const Drawn& now) const override { return slice(now); }
+  std::optional<PoseSlice> section(const Drawn& now) const override {
+    return space_ == TaskSpace::R2 ? std::nullopt : std::optional(slice(now));  // all poses are drawn
+  }
 
  private:
   PoseSlice slice(const Drawn& now) const {
-    return now ? PoseSlice::through(space_, now->solved.pose) : PoseSlice(space_, first_level_);
+    return now ? PoseSlice::through(motions_, now->solved.pose) : PoseSlice(motions_, first_level_);
   }
 
   PlanePainter painter(std::size_t tile, const std::string& group, double text, MarkerBatch& batch) const {
@@ -200,7 +206,7 @@ class SlicePicture : public Picture {
   }
 
   void draw_at_robot(const DrawnConfiguration& now, MarkerBatch& batch) const {
-    const PosePlane drawn = plane_of(*map_, PoseSlice::through(space_, now.solved.pose));
+    const PosePlane drawn = plane_of(*map_, PoseSlice::through(motions_, now.solved.pose));
     const PlaneScene scene = pose_scene(*map_, drawn, now.mode, slice_robot_cells);
     // In front of the base, and behind or below the platform and its joints, which it would hide; above a
     // platform that would hide all of it. One of T3 is also looked through: it comes seldom, so that a
@@ -225,6 +231,7 @@ class SlicePicture : public Picture {
 
   std::shared_ptr<const AspectMap> map_;
   std::vector<Rgb> colors_;  // by id - 1
+  Motions motions_;
   TaskSpace space_;
   MarkerFrames frames_;
   Scene scene_;

@@ -164,7 +164,7 @@ void ProbePicture::draw_words(const ProbeFinding& finding, Markers& markers) con
     at = {at.x(), scene_.robot.min().y(), scene_.robot.min().z() - room};  // before it, as it is seen
   }
   Marker text = marker("probe/words", Marker::TEXT_VIEW_FACING, color(ink_color));
-  text.pose = pose_message(robot_.task_frame() * Eigen::Translation3d(at));
+  text.pose = pose_message(drawing_frame(robot_) * Eigen::Translation3d(at));
   text.scale.z = caption.text_height;
   text.text = caption.words;
   markers.push_back(std::move(text));

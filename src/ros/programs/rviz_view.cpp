@@ -71,6 +71,9 @@ void add_display(const NodeSetup& setup, const Scene& scene, std::vector<Vector3
   const Manipulator& robot = *setup.mechanism->manipulator();
   Eigen::AlignedBox3d here = scene.robot;
   if (!scene.reach.isEmpty()) here.extend(scene.reach);
+  if (robot.task_space() == TaskSpace::R2)
+    for (const double side : {-1.0, 1.0})
+      here.extend(Vector3d::Constant(side * (1.0 + between_sheets) * sphere_radius(robot)));
   for (int i = 0; i < 8; ++i) corners.push_back(here.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
   Vector3d above = here.center();
   const Eigen::Index up = scene.planar ? 1 : 2;
@@ -117,9 +120,9 @@ std::vector<Vector3d> corners_of(const NodeSetup& setup, const Scene& scene, boo
 
 // The viewer's axes in the base frame: right, up, and from the scene to the viewer.
 Eigen::Matrix3d viewer_axes(const Manipulator& robot, bool planar) {
-  const Eigen::Matrix3d task = robot.task_frame().linear();
-  if (planar) return task;
-  return task * Eigen::AngleAxisd(0.5 * EIGEN_PI - view_pitch, Vector3d::UnitX()).toRotationMatrix();
+  const Eigen::Matrix3d drawn = drawing_frame(robot).linear();
+  if (planar) return drawn;
+  return drawn * Eigen::AngleAxisd(0.5 * EIGEN_PI - view_pitch, Vector3d::UnitX()).toRotationMatrix();
 }
 
 YAML::Node from_above(const Vector3d& center, const Vector3d& size, const Screen& screen) {
@@ -163,13 +166,13 @@ YAML::Node from_the_front(const Vector3d& center, double distance, const Vector3
   return view;
 }
 
-// `corners`: of all there is to see, in the task frame.
+// `corners`: of all there is to see, in the drawing frame.
 YAML::Node view_of(const Manipulator& robot, bool planar, std::vector<Vector3d> corners,
                    const Screen& screen) {
   const Eigen::Matrix3d axes = viewer_axes(robot, planar);
   Eigen::AlignedBox3d seen;
   for (Vector3d& corner : corners) {
-    corner = axes.transpose() * (robot.task_frame() * corner);  // as the viewer has them
+    corner = axes.transpose() * (drawing_frame(robot) * corner);  // as the viewer has them
     seen.extend(corner);
   }
   const Vector3d center = axes * seen.center();

@@ -339,10 +339,10 @@ void AspectsDisplay::place() {
     return;
   }
   deleteStatus("Frame");
-  const Eigen::Isometry3d& task = robot.task_frame();
+  const Eigen::Isometry3d drawn = drawing_frame(robot);
   placement_ = placement(robot, present_, picture_ ? picture_->radian : 1.0);
-  scene_node_->setPosition(position + orientation * ogre_vector(task.translation()));
-  scene_node_->setOrientation(orientation * ogre_rotation(task.linear()));
+  scene_node_->setPosition(position + orientation * ogre_vector(drawn.translation()));
+  scene_node_->setOrientation(orientation * ogre_rotation(drawn.linear()));
   if (drawn_) drawn_->set_placement(ogre_vector(placement_));
   place_robot();
 }

@@ -53,7 +53,7 @@ std::optional<NearestSingularity> nearest_singularity(const Manipulator& robot, 
   }
   const bool wraps = has_rotation(space);
   const double longest = wraps ? EIGEN_PI * radian : std::numeric_limits<double>::infinity();
-  add_way([space, radian](const Pose& pose) { return drawn_point(space, pose, radian); }, present,
+  add_way([&robot, radian](const Pose& pose) { return drawn_point(robot, pose, radian); }, present,
           found.witness, longest, nearest);
   return nearest;
 }

@@ -29,7 +29,7 @@ void add_dots(const SurfacePicture& picture, const Manipulator& robot, const Vec
               const PresentPoints::Configuration& configuration, std::vector<Dot>& dots) {
   const auto& [pose, mode, candidate] = configuration;
   const Ogre::ColourValue color = color_of(configuration);
-  const Vector3d point = drawn_point(robot.task_space(), pose, picture.radian);
+  const Vector3d point = drawn_point(robot, pose, picture.radian);
   dots.push_back({placement + point, false, color});
   for (const PoseTile& tile : picture.workspaces)
     if (tile.mode == mode) dots.push_back({tile.offset + tile.scale * point, true, color});

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/robots/robots.h"
 #include "support/robots/shipped.h"
 #include "support/slices.h"
 #include <algorithm>
@@ -175,7 +176,7 @@ TEST(SurfacePicture, LabelsKeepOffTheRobotAndTheEndsOfTheirAspects) {
     PictureChoice choice = in_aspect(store->map(), aspect.id);
     choice.section = Section::at_robot;
     const SurfacePicture picture = draw_surfaces(*store, choice, aspect.deepest, not_cancelled);
-    const Eigen::Vector3d robot = drawn_point(store->robot().task_space(), aspect.deepest, picture.radian);
+    const Eigen::Vector3d robot = drawn_point(store->robot(), aspect.deepest, picture.radian);
     const auto present = std::find_if(picture.moving.labels.begin(), picture.moving.labels.end(),
                                       [&](const Label& label) { return label.aspect == aspect.id; });
     ASSERT_NE(present, picture.moving.labels.end());
@@ -189,6 +190,26 @@ TEST(SurfacePicture, LabelsKeepOffTheRobotAndTheEndsOfTheirAspects) {
   }
 }
 
+// Of an ankle where its normal points on a sphere, in front of the platform.
+TEST(SurfacePicture, AnAnkleHasPatchesOnASphere) {
+  MapOptions options;
+  options.resolution = 0.1;
+  SurfaceStore store(test::map_of(test::ankle(), options));
+  for (const Aspect& aspect : store.map().aspects()) {
+    PictureChoice choice = in_aspect(store.map(), aspect.id);
+    choice.shown = Shown::present_aspect;
+    const SurfacePicture picture = draw_surfaces(store, choice, aspect.deepest, not_cancelled);
+    ASSERT_EQ(picture.moving.meshes.size(), 1U);
+    const Eigen::Vector3d robot = drawn_point(store.robot(), aspect.deepest, picture.radian);
+    double nearest = 1e9;
+    for (const Eigen::Vector3f& point : picture.moving.meshes.front().points) {
+      EXPECT_NEAR(point.norm(), picture.radian, 0.09 * picture.radian);
+      nearest = std::min(nearest, (point.cast<double>() - robot).norm());
+    }
+    EXPECT_LT(nearest, 0.06 * picture.radian) << aspect.id;
+  }
+}
+
 TEST(SurfacePicture, ASectionAtTheRobotLeavesWhatIsBelowIt) {
   const AspectMap& map = three_rrr();
   const Aspect& aspect = map.aspects().front();
@@ -197,7 +218,7 @@ TEST(SurfacePicture, ASectionAtTheRobotLeavesWhatIsBelowIt) {
   const SurfacePicture picture = draw_surfaces(three_rrr_store(), choice, aspect.deepest, not_cancelled);
   ASSERT_FALSE(picture.moving.meshes.empty());
   EXPECT_TRUE(picture.is_cut);
-  const double level = drawn_point(TaskSpace::SE2, aspect.deepest, picture.radian).z();
+  const double level = drawn_point(three_rrr_store().robot(), aspect.deepest, picture.radian).z();
   double cut = 0.0;
   const auto colors = aspect_colors(map.aspects());
   for (const ColoredMesh& mesh : picture.moving.meshes) {
@@ -291,7 +312,7 @@ TEST(SurfacePicture, LabelsKeepOffThePlatform) {
     PictureChoice choice = in_aspect(store.map(), store.map().aspects().front().id);
     choice.shown = Shown::all;
     const SurfacePicture picture = draw_surfaces(store, choice, pose, not_cancelled);
-    const Eigen::Vector3d point = drawn_point(robot.task_space(), pose, picture.radian);
+    const Eigen::Vector3d point = drawn_point(robot, pose, picture.radian);
     const double height = id_height * robot.size();
     ASSERT_FALSE(picture.moving.labels.empty());
     constexpr int steps = 40;

@@ -69,7 +69,8 @@ TEST_P(CaptionTest, CoversNeitherTheRobotNorTheGallery) {
 TEST_P(CaptionTest, KeepsLinesThatFit) { EXPECT_EQ(caption_of(scene_, "ab, cd\nef").words, "ab, cd\nef"); }
 
 INSTANTIATE_TEST_SUITE_P(ShippedRobots, CaptionTest,
-                         testing::Values("five_bar", "bipod", "three_rrr", "delta", "agile_eye", "stewart"),
+                         testing::Values("five_bar", "bipod", "three_rrr", "delta", "agile_eye", "stewart",
+                                         "ankle"),
                          [](const auto& robot) { return std::string(robot.param); });
 
 // Of the Delta, computed once.
@@ -160,6 +161,40 @@ TEST(SlicePictureOfAPlanarRobot, IsSeenThroughAboveAPlatformThatWouldHideIt) {
     EXPECT_LT(colors.empty() ? marker.color.a : colors.front().a, 0.7F);
     EXPECT_GT(marker.pose.position.z + marker.points.front().z, tool);
   }
+}
+
+// The torus of both angles is a square that stands upright in the base frame, whatever way the first hinge
+// points. The dot is in the tile of its mode.
+TEST(SlicePictureOfAnAnkle, IsASquareOfBothAngles) {
+  const auto mechanism = test::shipped("ankle");
+  MapOptions options;
+  options.resolution = 0.05;
+  const auto map = compute_aspect_map(mechanism->mapped_manipulator(), options).map;
+  ASSERT_TRUE(map);
+  const Scene scene = scene_of(*mechanism, NodeOptions());
+  const auto picture = make_slice_picture(map, test::frames, scene, DisplayOptions());
+  const geometry_msgs::Quaternion turn = picture->frames().front().transform.rotation;
+  const Eigen::Vector3d up = Eigen::Quaterniond(turn.w, turn.x, turn.y, turn.z) * Eigen::Vector3d::UnitY();
+  EXPECT_GT(up.z(), 0.8);
+  for (const Aspect& aspect : map->aspects()) {
+    const Drawn now =
+        DrawnConfiguration{aspect.mode,
+                           aspect.id,
+                           {aspect.deepest, inverse(*map->manipulator(), aspect.deepest, aspect.mode).q}};
+    EXPECT_TRUE(test::in_group(picture->present(now), "robot/aspects").empty());
+    bool has_dot = false;
+    for (const Marker& marker : picture->position(now).markers) {
+      if (marker.points.empty()) continue;
+      has_dot = true;
+      const auto modes = map->working_modes();
+      const auto tile =
+          static_cast<std::size_t>(std::find(modes.begin(), modes.end(), aspect.mode) - modes.begin());
+      const Eigen::Vector2d at(marker.points.front().x, marker.points.front().y);
+      EXPECT_LE((at - scene.tiles.center(tile)).cwiseAbs().maxCoeff(), 0.51 * scene.tiles.side());
+    }
+    EXPECT_TRUE(has_dot);
+  }
+  EXPECT_FALSE(test::in_group(picture->gallery(std::nullopt), "gallery/aspects").empty());
 }
 
 TEST(CandidateColors, DifferFromEachOther) {

@@ -100,11 +100,11 @@ TEST(NearestSingularity, TheWayIsInShortPiecesFromThePoseToItsEnd) {
       // At an angle of pi one piece at most goes across, and is left out.
       EXPECT_GE(nearest->way.size(), 2 * 23 * ways) << name;
       if (ways > 1) continue;
-      const Vector3d from = drawn_point(space, pose, radian);
+      const Vector3d from = drawn_point(*robot, pose, radian);
       if (nearest->way.size() == 2 * 24) {
         EXPECT_LT((nearest->way.front() - from).norm(), 1e-9);
       }
-      EXPECT_LT((nearest->ends.front() - drawn_point(space, distances.parallel.witness, radian)).norm(),
+      EXPECT_LT((nearest->ends.front() - drawn_point(*robot, distances.parallel.witness, radian)).norm(),
                 1e-9);
       for (std::size_t k = 0; k + 1 < nearest->way.size(); k += 2)
         EXPECT_LT((nearest->way[k + 1] - nearest->way[k]).norm(), EIGEN_PI * radian) << name;
