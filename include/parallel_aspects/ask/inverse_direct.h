@@ -108,8 +108,8 @@ void describe(Visit& visit, const DirectSolution& answer) {
   visit({"pose", "", "of the platform"}, answer.assembly.pose);
   visit({"working_mode", "", "signs of B_jj; null at a serial singularity"}, answer.mode);
   visit({"det_a", "",
-         "det A there; unit m in T1, m^2 in T2, m^4 in SE2, m^3 in T3, m^6 in SO3, m^9 in SE3, m^2 in "
-         "R1, m^4 in R2; none for spherical links"},
+         "det A there; unit m in T1, m^2 in T2, m^4 in SE2, m^3 in T3, m^6 in SO3, m^9 in SE3, m^2 in R1, "
+         "m^4 in R2; none for spherical links"},
         answer.assembly.determinant);
   visit({"residual", "", "largest leg equation left over, relative to the squared size of the robot"},
         answer.assembly.residual);
