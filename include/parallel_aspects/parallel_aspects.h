@@ -13,6 +13,8 @@
 /// rounding.
 namespace parallel_aspects {}
 
+#include "parallel_aspects/arms/serial_arm.h"
+#include "parallel_aspects/ask/arm.h"
 #include "parallel_aspects/ask/check.h"
 #include "parallel_aspects/ask/choose.h"
 #include "parallel_aspects/ask/connect.h"

@@ -3,7 +3,9 @@
 
 #include "tools/report/report.h"
 #include "tools/subcommands.h"
+#include "urdf/arm_reading.h"
 #include "urdf/description/text_file.h"
+#include "urdf/reading/description_file.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -22,6 +24,8 @@ fs::path urdf_path(const fs::path& share, const std::string& name) {
 }
 
 fs::path config_folder(const fs::path& share) { return share / "config" / "robots"; }
+
+fs::path arm_folder(const fs::path& share) { return share / "config" / "arms"; }
 
 bool holds_robots(const fs::path& share) {
   std::error_code error;
@@ -132,10 +136,12 @@ fs::path share_folder() {
                             share_variable + " to the folder that holds urdf/ and config/robots/."});
 }
 
-std::vector<std::string> shipped_robots(const fs::path& share) {
+namespace {
+
+std::vector<std::string> names_in(const fs::path& folder, const fs::path& share) {
   std::vector<std::string> names;
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(config_folder(share), error)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().stem().string();
     if (entry.path().extension() == ".yaml" && fs::exists(urdf_path(share, name), error))
       names.push_back(name);
@@ -143,6 +149,14 @@ std::vector<std::string> shipped_robots(const fs::path& share) {
   std::sort(names.begin(), names.end());
   return names;
 }
+
+}  // namespace
+
+std::vector<std::string> shipped_robots(const fs::path& share) {
+  return names_in(config_folder(share), share);
+}
+
+std::vector<std::string> shipped_arms(const fs::path& share) { return names_in(arm_folder(share), share); }
 
 namespace {
 
@@ -162,6 +176,23 @@ MapSection load_map_section(const RobotChoice& choice, Problems& problems) {
   const std::string text = config_text(choice, section.file);
   section.config = read_map_config(text, section.file, problems);
   return section;
+}
+
+std::shared_ptr<const SerialArm> load_arm(const RobotChoice& choice) {
+  if (!misplaced_argument(choice).empty() || !problems_of(choice).empty()) return nullptr;
+  std::string urdf = choice.urdf_file(), config = choice.config_file();
+  if (const std::string name = choice.name(); !name.empty()) {
+    const fs::path share = share_folder();
+    const std::vector<std::string> arms = shipped_arms(share);
+    if (std::find(arms.begin(), arms.end(), name) == arms.end()) return nullptr;
+    urdf = urdf_path(share, name).string();
+    config = (arm_folder(share) / (name + ".yaml")).string();
+  }
+  Problems problems;
+  const auto urdf_text = read_description_file(urdf, problems),
+             config_text = read_text_file(config, problems);
+  if (!urdf_text || !config_text) return nullptr;
+  return read_arm(*urdf_text, urdf, *config_text, config);
 }
 
 std::shared_ptr<const Mechanism> load_robot(const RobotChoice& choice, Problems known) {

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_SHIPPED_ROBOTS_H
 #define PARALLEL_ASPECTS_TOOLS_SHIPPED_ROBOTS_H
 
+#include "parallel_aspects/arms/serial_arm.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "urdf/config/map_and_motion_config.h"
@@ -20,6 +21,9 @@ std::filesystem::path share_folder();
 
 /// Names of the robots in a share folder, sorted.
 std::vector<std::string> shipped_robots(const std::filesystem::path& share);
+
+/// Names of the serial arms there, with `config/arms/NAME.yaml`, sorted.
+std::vector<std::string> shipped_arms(const std::filesystem::path& share);
 
 /// That there is none of that name among those `known`, with the one that may be meant, else with all of them
 /// and how `otherwise` robots are given.
@@ -44,6 +48,10 @@ struct RobotChoice {
 /// ones), a choice that names too much, files that cannot be read, and whatever `load_mechanism` finds, after
 /// those that are `known` already. Throws `UsageError` where it names too little.
 std::shared_ptr<const Mechanism> load_robot(const RobotChoice& choice, Problems known = {});
+
+/// The serial arm that it names; null where it is no arm, or of no use: then `load_robot` tells. Throws
+/// `InvalidDescription` where it is an arm that is refused.
+std::shared_ptr<const SerialArm> load_arm(const RobotChoice& choice);
 
 /// How the map of a robot is to be computed, as its files say.
 struct MapSection {

@@ -103,6 +103,18 @@ Subcommand sweep_subcommand();
 Subcommand merge_subcommand();
 Subcommand workspace_subcommand();
 
+/// Subcommands that are asked of serial arms, too, with the options of arms added.
+Subcommand arm_describe(Subcommand made);
+Subcommand arm_map(Subcommand made);
+Subcommand arm_locate(Subcommand made);
+Subcommand arm_connect(Subcommand made);
+Subcommand arm_inverse(Subcommand made);
+Subcommand arm_direct(Subcommand made);
+Subcommand arm_uniqueness(Subcommand made);
+
+/// Others, which say that they are not.
+Subcommand arm_refused(Subcommand made);
+
 /// What the URDF alone tells of a robot, without a YAML. Throws `InvalidDescription`, `Unanswered` or
 /// `Interrupted`.
 Report describe_bare(const std::string& urdf_file, const Surroundings& surroundings);

@@ -33,7 +33,7 @@ json JsonWriter::json_of(const std::vector<ask::NamedRange>& ranges) const {
 
 json JsonWriter::json_of(const MapSlice& slice) const { return json_slice(slice); }
 
-json JsonWriter::json_of(const Pose& pose) const { return json_pose(robot_.task_space(), pose); }
+json JsonWriter::json_of(const Pose& pose) const { return json_pose(robot_->task_space(), pose); }
 
 json JsonWriter::json_of(const TimedPath& timed) const {
   return {{"message", timed.message},

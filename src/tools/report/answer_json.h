@@ -20,7 +20,9 @@ namespace parallel_aspects::tools {
 /// Writes the fields of an answer as JSON.
 class JsonWriter {
  public:
-  explicit JsonWriter(const Manipulator& robot) : robot_(robot) {}
+  /// Without a robot: of answers that name no leg and have no pose of a platform.
+  JsonWriter() = default;
+  explicit JsonWriter(const Manipulator& robot) : robot_(&robot) {}
 
   template <class Value>
   void operator()(const ask::Field& field, const Value& value) {
@@ -58,7 +60,8 @@ class JsonWriter {
   /// Of a struct that has a list of fields of its own.
   template <class Described, class = std::enable_if_t<std::is_class_v<Described>>>
   nlohmann::json json_of(const Described& described) const {
-    JsonWriter writer(robot_);
+    JsonWriter writer;
+    writer.robot_ = robot_;
     describe(writer, described);
     return writer.take();
   }
@@ -73,14 +76,14 @@ class JsonWriter {
   /// Objects by name.
   nlohmann::json json_of(const std::vector<HeldCoordinate>& values) const;
   nlohmann::json json_of(const std::vector<ask::NamedRange>& ranges) const;  ///< "lower" and "upper" of all
-  nlohmann::json json_of(ask::LegIndex leg) const { return robot_.leg(leg.index).name; }
+  nlohmann::json json_of(ask::LegIndex leg) const { return robot_->leg(leg.index).name; }
   nlohmann::json json_of(const MapSlice& slice) const;
   nlohmann::json json_of(const WorkingMode& mode) const { return mode.signs(); }
   nlohmann::json json_of(const Pose& pose) const;
   nlohmann::json json_of(const TimedPath& timed) const;
 
  private:
-  const Manipulator& robot_;
+  const Manipulator* robot_ = nullptr;
   nlohmann::json json_ = nlohmann::json::object();
 };
 

@@ -24,7 +24,11 @@ Report report_robots(const std::vector<std::string>& names) {
 
 Subcommand robots_subcommand() {
   return {"robots", "List the shipped robots", {}, [](const Surroundings&) {
-            return report_robots(shipped_robots(share_folder()));
+            const auto share = share_folder();
+            Report report = report_robots(shipped_robots(share));
+            report.json["arms"] = shipped_arms(share);
+            for (const std::string& arm : shipped_arms(share)) report.text += arm + " (serial arm)\n";
+            return report;
           }};
 }
 

@@ -3,6 +3,7 @@
 #include "tools/report/setup_report.h"
 #include "tools/shipped_robots.h"
 #include "tools/subcommands.h"
+#include "urdf/arm_reading.h"
 #include "urdf/reading/description_file.h"
 #include "urdf/setup/setup.h"
 
@@ -98,6 +99,7 @@ SetupResult found(const std::string& urdf_file, const std::string& config_file, 
     control.cancelled = [&] { return surroundings.interrupted != nullptr && *surroundings.interrupted; };
     SetupResult result = set_up(*text, urdf_file, config_file, answers, control);
     if (control.cancelled()) throw Interrupted{};
+    if (result.is_serial_arm && answers.closures.empty()) return result;
     if (!result.problems.empty()) throw InvalidDescription(result.problems);
     if (!result.question) return result;
     ask(result, urdf_file, surroundings, answers);
@@ -188,6 +190,31 @@ void write(const std::string& text, const std::string& output) {
         {"File '" + output + "' cannot be written; give one in a folder that can be written, with -o."});
 }
 
+// A serial arm has a YAML alone: the node follows none.
+Report run_of_arm(const SetupArguments& arguments, const SetupAnswers& answers, const SetupResult& found,
+                  const SetupFiles& output, const Surroundings& surroundings) {
+  Problems problems;
+  const auto text = read_description_file(arguments.urdf, problems);
+  if (!text) throw InvalidDescription(problems);
+  const auto arm = set_up_arm(*text, arguments.urdf, output.config,
+                              {answers.base_link, answers.operational_point, answers.actuated_joints});
+  if (!arm) throw InvalidDescription(found.problems);
+  Report report;
+  report.json = {{"mechanism", arm->arm->name()},      {"kind", "serial arm"},
+                 {"base_link", arm->arm->base_link()}, {"operational_point", arm->arm->tip_link()},
+                 {"task", name(arm->arm->task())},     {"config", arm->config}};
+  for (const ArmJoint& joint : arm->arm->joints()) report.json["actuated_joints"].push_back(joint.name);
+  report.text = arm->arm->name() + " is a serial arm of " + std::to_string(arm->arm->size()) +
+                " joints from '" + arm->arm->base_link() + "' to '" + arm->arm->tip_link() + "', task " +
+                name(arm->arm->task()) + ".\n";
+  if (surroundings.json && arguments.output.empty()) return report;
+  check_output(arguments, output, surroundings);
+  write(arm->config, output.config);
+  report.text +=
+      "Written: " + output.config + "\nNext: aspects map " + arguments.urdf + " " + output.config + "\n";
+  return report;
+}
+
 // Lists with --json, and writes then only where a file is named.
 Report run(const SetupArguments& arguments, const Surroundings& surroundings) {
   const SetupAnswers answers = parse_answers(arguments);
@@ -197,6 +224,10 @@ Report run(const SetupArguments& arguments, const Surroundings& surroundings) {
   SetupFiles output{config, fs::path(config).replace_extension(".launch").string()};
   if (!is_urdf_file(arguments.urdf)) output.launch.clear();  // the node and rviz take URDF alone
   const SetupResult result = found(arguments.urdf, config, answers, surroundings);
+  if (result.is_serial_arm) {
+    output.launch.clear();
+    return run_of_arm(arguments, answers, result, output, surroundings);
+  }
   if (!writes) return report_setup(result, arguments.urdf, {});
   check_output(arguments, output, surroundings);
   write(result.config, output.config);
@@ -209,8 +240,10 @@ Report run(const SetupArguments& arguments, const Surroundings& surroundings) {
 Report describe_bare(const std::string& urdf_file, const Surroundings& surroundings) {
   Surroundings without_terminal = surroundings;
   without_terminal.answers = nullptr;
-  return report_setup(found(urdf_file, fs::path(urdf_file).stem().string() + ".yaml", {}, without_terminal),
-                      urdf_file, {});
+  const SetupResult result =
+      found(urdf_file, fs::path(urdf_file).stem().string() + ".yaml", {}, without_terminal);
+  if (result.is_serial_arm) throw InvalidDescription(result.problems);
+  return report_setup(result, urdf_file, {});
 }
 
 Subcommand setup_subcommand() {

@@ -47,7 +47,8 @@ std::optional<std::string> serial_arm_text(const Tree& tree, const std::string& 
   return urdf_name + " is a serial arm, one chain of " + std::to_string(joints) +
          (joints == 1 ? " joint" : " joints") + " from link '" + tree.links.front() + "' to link '" +
          tree.links[link] +
-         "' without a loop; there is nothing to close, and only parallel robots are treated.";
+         "' without a loop; only the command `aspects` treats serial arms, with a YAML as `aspects setup` "
+         "writes it: mechanism: {base_link, operational_point, actuated_joints}.";
 }
 
 namespace {

@@ -59,7 +59,7 @@ constexpr double max_tolerance = 0.1;
 const std::vector<std::string>& mechanism_keys() {
   static const std::vector<std::string> keys{
       "name",       "base_link", "operational_point", "actuated_joints", "task_space",
-      "symmetrize", "tolerance", "closures",          "added_closures"};
+      "symmetrize", "tolerance", "closures",          "added_closures",  "task"};
   return keys;
 }
 
@@ -122,6 +122,8 @@ class MechanismReader {
     read_tolerance(mechanism["tolerance"], config);
     read_closures(mechanism["closures"], "mechanism.closures", config.closures);
     config.lists_closures = !is_empty(mechanism["closures"]);
+    if (mechanism["task"].IsDefined() && (config.lists_closures || !config.added_closures.empty()))
+      problem("has mechanism.task, which a serial arm has, and closures; leave one of them out.");
     read_closures(mechanism["added_closures"], "mechanism.added_closures", config.added_closures);
     if (config.lists_closures && !config.added_closures.empty())
       problem(

@@ -271,6 +271,7 @@ class Setup {
     const auto serial = ends.evident ? std::nullopt : serial_arm_text(tree_, source_.files.urdf);
     if (serial) {
       result_.problems = {*serial};
+      result_.is_serial_arm = true;
       return result_;
     }
     result_.question = question_of_places(tree_, ends, source_.files.urdf);

@@ -77,6 +77,7 @@ struct SetupResult {
   std::optional<SetupQuestion> question;
   Problems problems;
   std::vector<std::string> notes;  ///< on the URDF, a sentence each
+  bool is_serial_arm = false;      ///< an open tree with one chain, of which `set_up_arm` writes the YAML
   bool cut_short = false;          ///< by the deadline, or since there are too many combinations
 };
 
