@@ -118,20 +118,26 @@ template <class Numbers>
   return result;
 }
 
-/// Whether a condition holds in all lanes, or in none.
+/// Whether a condition holds in all lanes, or in none. Lanes are joined without a branch.
 template <class Mask>
 [[gnu::always_inline]] inline bool in_all(const Mask& condition) noexcept {
   if constexpr (std::is_arithmetic_v<Mask>) {
     return condition;
   } else {
-    bool all = true;
-    for (std::size_t i = 0; i < lane_count<Mask>; ++i) all = all && condition[i] != 0;
-    return all;
+    auto all = condition[0];
+    for (std::size_t i = 1; i < lane_count<Mask>; ++i) all &= condition[i];
+    return all != 0;
   }
 }
 template <class Mask>
 [[gnu::always_inline]] inline bool in_none(const Mask& condition) noexcept {
-  return in_all(!condition);
+  if constexpr (std::is_arithmetic_v<Mask>) {
+    return !condition;
+  } else {
+    auto any = condition[0];
+    for (std::size_t i = 1; i < lane_count<Mask>; ++i) any |= condition[i];
+    return any == 0;
+  }
 }
 
 /// Bits where the condition holds, else 0.
