@@ -94,7 +94,7 @@ class BoxSlopes {
     return along | shell(signs, sign, !along, of_shell);
   }
 
-  /// Where S(signs, sign) is a shell along the serial singularity, among the boxes that are asked for; writes
+  /// Where S(signs, sign) is a shell along the serial singularity, of the boxes that are asked for; writes
   /// how it grows. With the box oriented as that tells, growing upward along every coordinate, the lowest
   /// corner is not reachable, reachable poses are monotone upward, det A has the sign all along the serial
   /// singularity and, if at all, loses it upward. Every ray from the lowest corner then meets the set in an
