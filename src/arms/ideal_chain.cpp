@@ -140,16 +140,16 @@ Line line_behind(const ArmDescription& description, LastAxis last, const Eigen::
 IdealChain ideal_chain(const ArmDescription& description, LastAxis last, double tolerance_m,
                        double tolerance_rad) {
   ChainBuilder builder(tolerance_m, tolerance_rad);
-  const auto line = [&](std::size_t i) {
-    if (i == description.axes.size()) return line_behind(description, last, builder.origin());
-    const ArmAxis& axis = description.axes[i];
-    // Where a slide is does not matter: it goes through the origin before it.
-    return Line{axis.turns || i == 0 ? axis.point : builder.origin(), axis.direction};
-  };
   const std::size_t count = description.axes.size();
+  const auto line = [&](std::size_t i) {
+    if (i == count) return line_behind(description, last, builder.origin());
+    std::size_t at = i;  // where a slide is does not matter: it goes through the next axis, or the tip
+    while (at < count && !description.axes[at].turns) ++at;
+    return Line{at < count ? description.axes[at].point : description.tip.translation().eval(),
+                description.axes[i].direction};
+  };
   const Line first = line(0);
-  builder.start(first, count > 1 ? Line{description.axes[1].point, description.axes[1].direction}
-                                 : line_behind(description, last, first.point));
+  builder.start(first, count > 1 ? line(1) : line_behind(description, last, first.point));
   for (std::size_t i = 0; i < count; ++i) builder.add(description.axes[i], line(i + 1));
   return builder.finish(description.tip.translation());
 }

@@ -16,6 +16,7 @@ namespace {
 constexpr std::uint32_t no_component = 0xffffffffU;
 constexpr std::uint32_t first_level = 2;        // of boxes of the coarsest map
 constexpr std::uint32_t levels_below_base = 7;  // that contacts of components are looked into
+constexpr std::uint32_t least_deepest_level = 16;
 constexpr std::size_t most_nodes = 3000000;
 
 // Joint values in units that are halved exactly, from -1 to 1 each.
@@ -265,7 +266,8 @@ bool JointMap::refine_once(const MapControl& control) {
     std::sort(open.begin(), open.end());
     open.erase(std::unique(open.begin(), open.end()), open.end());
     for (const NodeIndex leaf : open) {
-      const bool is_deep = tree_->place(leaf).level >= base_level_ + levels_below_base;
+      const bool is_deep =
+          tree_->place(leaf).level >= std::max(least_deepest_level, base_level_ + levels_below_base);
       if (is_deep || tree_->node_count() > most_nodes) continue;
       divide(leaf, signs);
       any = true;
