@@ -121,11 +121,10 @@ TEST(Diagnosis, IsNotABoomThatAPistonTurns) {
 }
 
 TEST(Diagnosis, IsASerialArm) {
-  test::expect_refusal(
-      faulty("serial_arm"),
-      "robot.urdf is a serial arm, one chain of 3 joints from link 'base' to link 'c' without "
-      "a loop; only the command `aspects` treats serial arms, with a YAML as `aspects setup` "
-      "writes it: mechanism: {base_link, operational_point, actuated_joints}.");
+  test::expect_refusal(faulty("serial_arm"),
+                       "robot.urdf is a serial arm, one chain of 3 joints from link 'base' to link 'c' "
+                       "without a loop; only the "
+                       "command `aspects` treats serial arms, with a YAML as `aspects setup` writes it.");
 }
 
 // A parallel robot is an open tree, too, until its loops are described.

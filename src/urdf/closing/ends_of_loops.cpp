@@ -48,7 +48,7 @@ std::optional<std::string> serial_arm_text(const Tree& tree, const std::string& 
          (joints == 1 ? " joint" : " joints") + " from link '" + tree.links.front() + "' to link '" +
          tree.links[link] +
          "' without a loop; only the command `aspects` treats serial arms, with a YAML as `aspects setup` "
-         "writes it: mechanism: {base_link, operational_point, actuated_joints}.";
+         "writes it.";
 }
 
 namespace {

@@ -320,11 +320,10 @@ TEST(Setup, CallsASerialArmSerial) {
   for (const std::string link : {"base_link", "l3", "l3", "l3"}) {
     const SetupResult result = set_up_text(urdf);
     EXPECT_FALSE(result.question);
-    EXPECT_EQ(
-        result.problems,
-        Problems{"robot.urdf is a serial arm, one chain of 3 joints from link 'base_link' to link 'l3' "
-                 "without a loop; only the command `aspects` treats serial arms, with a YAML as "
-                 "`aspects setup` writes it: mechanism: {base_link, operational_point, actuated_joints}."});
+    EXPECT_EQ(result.problems,
+              Problems{"robot.urdf is a serial arm, one chain of 3 joints from link 'base_link' to link 'l3' "
+                       "without a loop; only the command `aspects` treats serial arms, with a YAML as "
+                       "`aspects setup` writes it."});
     const std::string frame = "frame_" + std::to_string(urdf.size());
     urdf = test::replaced(
         urdf, "</robot>",
