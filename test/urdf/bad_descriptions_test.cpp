@@ -68,7 +68,7 @@ TEST(BadDescriptions, AreReportedAllAtOnce) {
   const Problems expected{
       "robot.yaml has an unknown key 'colour' under mechanism; there are 'name', 'base_link', "
       "'operational_point', 'actuated_joints', 'task_space', 'symmetrize', 'tolerance', 'closures', "
-      "'added_closures'.",
+      "'added_closures', 'task'.",
       "robot.yaml does not say mechanism.operational_point; name the link whose origin is the operational "
       "point of the platform.",
       "robot.urdf has a <robot> without a name; write <robot name=\"...\">.",
