@@ -3,8 +3,7 @@
 
 #include "distance/cubic_form.h"
 #include "interval/interval.h"
-
-#include <Eigen/LU>
+#include "model/linear_algebra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,7 +117,7 @@ class BalancedBasis {
   }
 
   bool step(const Matrix& gradient, double length) {
-    const Matrix forth = Matrix::Identity() - length * gradient, back = forth.inverse();
+    const Matrix forth = Matrix::Identity() - length * gradient, back = inverse(forth);
     Slopes moved;
     for (std::size_t i = 0; i < 6; ++i) moved[i].noalias() = forth * (slopes_[i] * back).eval();
     const double size = size_of(moved);
@@ -145,12 +144,12 @@ RegularBall::RegularBall(const RowsInBall& rows) noexcept {
 
 void RegularBall::choose_basis(const RowsInBall& rows) noexcept {
   constexpr int steps = 8;
-  const Matrix inverse = coefficients(rows.rows, 0).inverse();
+  const Matrix center_inverse = inverse(coefficients(rows.rows, 0));
   Slopes slopes;
-  for (std::size_t i = 0; i < 6; ++i) slopes[i] = inverse * coefficients(rows.rows, 1 + i);
+  for (std::size_t i = 0; i < 6; ++i) slopes[i] = center_inverse * coefficients(rows.rows, 1 + i);
   BalancedBasis basis(slopes);
   basis.descend(steps);
-  left_ = basis.to_basis() * inverse;
+  left_ = basis.to_basis() * center_inverse;
   right_ = basis.from_basis();
   usable_ = left_.allFinite() && right_.allFinite();
 }

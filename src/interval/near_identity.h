@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_INTERVAL_NEAR_IDENTITY_H
 
 #include "interval/interval.h"
+#include "model/linear_algebra.h"
 
 #include <Eigen/LU>
 
@@ -22,7 +23,7 @@ class NearIdentity {
   using Matrix = Eigen::Matrix<double, N, N>;
 
   explicit NearIdentity(const Matrix& center)
-      : inverse_(center.inverse()), negated_(-inverse_), is_finite_(inverse_.allFinite()) {
+      : inverse_(approximate_inverse(center)), negated_(-inverse_), is_finite_(inverse_.allFinite()) {
     assert_rounding_upward();
     const Matrix above = center * inverse_ - Matrix::Identity();
     const Matrix below = center * negated_ + Matrix::Identity();
@@ -55,6 +56,13 @@ class NearIdentity {
   }
 
  private:
+  static Matrix approximate_inverse(const Matrix& center) {
+    if constexpr (N <= 4)
+      return center.inverse();
+    else
+      return inverse(center);
+  }
+
   Matrix inverse_, negated_;
   bool is_finite_;
   Matrix deviation_;  // E

@@ -77,16 +77,23 @@ Eigen::VectorXd positive_definite_solution(const Eigen::MatrixXd& matrix, const 
   return matrix.ldlt().solve(right);
 }
 
+Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& a,
+                        const Eigen::Ref<const Eigen::MatrixXd>& b) {
+  return a * b;
+}
+
 Eigen::Vector3d symmetric_eigenvalues(const Eigen::Matrix3d& matrix) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-double determinant(const TaskMatrix& matrix) { return matrix.determinant(); }
+double determinant(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
+  return SmallMatrix(matrix).determinant();
+}
 
-TaskMatrix inverse(const TaskMatrix& matrix) { return matrix.inverse(); }
+SmallMatrix inverse(const Eigen::Ref<const Eigen::MatrixXd>& matrix) { return SmallMatrix(matrix).inverse(); }
 
-TaskVector solution(const TaskMatrix& matrix, const TaskVector& right) {
-  return matrix.partialPivLu().solve(right);
+TaskVector solution(const Eigen::Ref<const Eigen::MatrixXd>& matrix, const TaskVector& right) {
+  return SmallMatrix(matrix).partialPivLu().solve(right);
 }
 
 TaskVector singular_values(const TaskMatrix& matrix) {

@@ -62,6 +62,10 @@ Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& matrix, const Eige
 /// The x with M x = right, of a symmetric positive definite matrix.
 Eigen::VectorXd positive_definite_solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
+/// A B.
+Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& a,
+                        const Eigen::Ref<const Eigen::MatrixXd>& b);
+
 /// Of a symmetric matrix, increasing.
 Eigen::Vector3d symmetric_eigenvalues(const Eigen::Matrix3d& matrix);
 
@@ -70,13 +74,18 @@ Eigen::Quaterniond shortest_rotation(const Eigen::Vector3d& from, const Eigen::V
 
 // Square matrices of a manipulator. None of these allocates.
 
-double determinant(const TaskMatrix& matrix);
+/// Of at most `max_legs` + 1 rows and columns.
+using SmallMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_legs + 1, max_legs + 1>;
+
+/// Of a small matrix, as are the next two.
+double determinant(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 
 /// Not finite where the matrix is singular.
-TaskMatrix inverse(const TaskMatrix& matrix);
+SmallMatrix inverse(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 
 /// The x with M x = right; not finite where the matrix is singular.
-TaskVector solution(const TaskMatrix& matrix, const TaskVector& right);
+TaskVector solution(const Eigen::Ref<const Eigen::MatrixXd>& matrix, const TaskVector& right);
 
 /// Decreasing.
 TaskVector singular_values(const TaskMatrix& matrix);

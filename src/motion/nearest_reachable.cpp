@@ -130,7 +130,7 @@ Descent::Local Descent::linearised(const Pose& pose) const {
     motion.col(i) = (off(ahead) - off(behind)) / (2.0 * step);
     slopes.col(i) = (slacks(ahead) - slacks(behind)) / (2.0 * step);
   }
-  TaskMatrix metric = motion.transpose() * motion;
+  TaskMatrix metric = motion.transpose().lazyProduct(motion);
   metric.diagonal().array() += 1e-12 * metric.trace();  // anchors in one point do not see rotations
   local.metric.compute(metric);
   local.to_wanted = -(motion.transpose() * here);

@@ -2,6 +2,7 @@
 #include "tracking/pose_certifier.h"
 
 #include "model/angles.h"
+#include "model/linear_algebra.h"
 
 #include <Eigen/LU>
 
@@ -34,7 +35,11 @@ void invert(const SquareArray<double>& matrix, SquareArray<double>& inverse) {
   for (int i = 0; i < n; ++i)
     for (int k = 0; k < n; ++k)
       fixed(i, k) = matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
-  const Eigen::Matrix<double, n, n> result = fixed.inverse();
+  Eigen::Matrix<double, n, n> result;
+  if constexpr (n <= 4)
+    result = fixed.inverse();
+  else
+    result = parallel_aspects::inverse(fixed);
   for (int i = 0; i < n; ++i)
     for (int k = 0; k < n; ++k)
       inverse[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = result(i, k);

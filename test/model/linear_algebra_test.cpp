@@ -53,6 +53,21 @@ TEST(SingularValues, OfSquareMatricesAreThoseOfTheGeneralDecomposition) {
     }
 }
 
+// One row and column more than a robot has legs; matrices of a fixed size too.
+TEST(Inverse, OfSmallMatricesTakesThemToTheIdentity) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int n = 1; n <= max_legs + 1; ++n) {
+    const Eigen::MatrixXd matrix = Eigen::MatrixXd::NullaryExpr(n, n, [&] { return uniform(random); }) +
+                                   2.0 * n * Eigen::MatrixXd::Identity(n, n);
+    EXPECT_TRUE(product(matrix, inverse(matrix)).isIdentity(1e-14)) << matrix;
+  }
+  Eigen::Matrix<double, 6, 6> fixed = Eigen::Matrix<double, 6, 6>::Identity();
+  fixed(0, 5) = 3.0;
+  EXPECT_EQ(inverse(fixed)(0, 5), -3.0);
+  EXPECT_FALSE(inverse(Eigen::Matrix2d::Ones()).allFinite());
+}
+
 // The general decompositions know the same line.
 TEST(LineOfSolutions, SolvesTheEquationsNearestToZeroAndAlongWhatTheyLeaveOpen) {
   std::mt19937 random(6);

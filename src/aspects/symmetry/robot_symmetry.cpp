@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/symmetry/robot_symmetry.h"
 
-#include <Eigen/LU>
+#include "model/linear_algebra.h"
 
 #include <algorithm>
 #include <variant>
@@ -283,8 +283,8 @@ class LegMatching {
         if (leg_image_[i] > leg_image_[j]) sign = -sign;
     if (has_rotation(manipulator_.task_space())) return sign;
     const auto degrees_of_freedom = static_cast<Eigen::Index>(count_);
-    return symmetry_.base.topLeftCorner(degrees_of_freedom, degrees_of_freedom).determinant() < 0.0 ? -sign
-                                                                                                    : sign;
+    return determinant(symmetry_.base.topLeftCorner(degrees_of_freedom, degrees_of_freedom)) < 0.0 ? -sign
+                                                                                                   : sign;
   }
 
   const Manipulator& manipulator_;

@@ -178,7 +178,7 @@ bool FoldProof::evaluate(Point& point) const noexcept {
       middle(i, k) = 0.5 * (entry.lower() + entry.upper());
     }
   if (!middle.allFinite()) return false;
-  point.inverse = middle.partialPivLu().inverse();
+  point.inverse = inverse(middle);
   if (!point.inverse.allFinite()) return false;
   double squared_defect = 0.0, squared_residual = 0.0;
   for (std::size_t i = 0; i <= size_; ++i) {

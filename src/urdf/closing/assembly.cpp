@@ -92,7 +92,7 @@ Eigen::VectorXd closer(const ClosureSystem& system, Eigen::VectorXd values, cons
   Eigen::VectorXd residual = system.residual(values);
   for (int step = 0; step < most && largest(residual) > 1e-9 * system.size(); ++step) {
     const Eigen::MatrixXd jacobian = free.jacobian(values);
-    Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
+    Eigen::MatrixXd normal = product(jacobian.transpose(), jacobian);
     normal.diagonal().array() += damping * std::max(normal.diagonal().maxCoeff(), 1e-12);
     Eigen::VectorXd next =
         free.moved(values, positive_definite_solution(normal, jacobian.transpose() * residual));
@@ -335,15 +335,15 @@ class Assembler {
 
 LoopMotions loop_motions(const ClosureSystem& system, const Eigen::VectorXd& values) {
   const Eigen::MatrixXd scaling = loop_scaling(system);
-  const auto svd = singular_value_decomposition(system.jacobian(values) * scaling);
+  const auto svd = singular_value_decomposition(product(system.jacobian(values), scaling));
   const Eigen::Index rank = svd.rank_above(rank_tolerance * svd.values[0]);
-  return {scaling * svd.null_space(rank), rank > 0 ? svd.values[rank - 1] / svd.values[0] : 0.0};
+  return {product(scaling, svd.null_space(rank)), rank > 0 ? svd.values[rank - 1] / svd.values[0] : 0.0};
 }
 
 Eigen::MatrixXd link_twists(const ClosureSystem& system, const Poses& poses, std::size_t link,
                             const Eigen::MatrixXd& motions) {
   Eigen::MatrixXd twists =
-      velocity_matrix(system.tree(), system.base(), poses, link, poses[link].translation()) * motions;
+      product(velocity_matrix(system.tree(), system.base(), poses, link, poses[link].translation()), motions);
   twists.bottomRows(3) /= system.size();
   return twists;
 }

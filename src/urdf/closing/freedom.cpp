@@ -52,8 +52,8 @@ std::vector<std::size_t> idle_joints(const ClosureSystem& system, const Assembly
     others.row(static_cast<Eigen::Index>(j)).setZero();
     const auto svd = singular_value_decomposition(others);
     const Eigen::MatrixXd alone = svd.null_space(svd.rank_above(velocity_tolerance));
-    const bool moves = (rates.row(static_cast<Eigen::Index>(j)) * alone).norm() > velocity_tolerance;
-    if (moves && (twists * alone).norm() < velocity_tolerance) idle.push_back(joints[j]);
+    const bool moves = product(rates.row(static_cast<Eigen::Index>(j)), alone).norm() > velocity_tolerance;
+    if (moves && product(twists, alone).norm() < velocity_tolerance) idle.push_back(joints[j]);
   }
   return idle;
 }

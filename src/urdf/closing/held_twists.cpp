@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 TwistMatrix complement(const MatrixXd& columns) {
   const auto svd = singular_value_decomposition(columns);
   const Index rank = svd.rank_above(rank_tolerance);
-  return TwistMatrix::Identity() - svd.u.leftCols(rank) * svd.u.leftCols(rank).transpose();
+  return TwistMatrix::Identity() - product(svd.u.leftCols(rank), svd.u.leftCols(rank).transpose());
 }
 
 // Twists about the origin of the base, a column each.

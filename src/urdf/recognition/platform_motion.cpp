@@ -99,7 +99,7 @@ class MotionFinder {
           "closures, of which a revolute one turns about z of its frames.");
     const MatrixXd locked = null_space(joint_rates_);
     result_.idle = locked.cols();
-    const MatrixXd free_twists = twists_ * locked;
+    const MatrixXd free_twists = parallel_aspects::product(twists_, locked);
     const Eigen::Index angular = rank(free_twists.topRows(3)), linear = rank(free_twists.bottomRows(3));
     point_may_spin_ = angular > 0 && linear == 0 && (count == 2 || count == 3);
     if (linear > 0 || (angular > 0 && !point_may_spin_))
@@ -201,7 +201,7 @@ class MotionFinder {
     const Vector3d normal = axis.cross(other);
     Matrix3d ways;  // along the first axis, the common normal, and back along the second axis
     ways << axis, normal.normalized(), -other;
-    const Vector3d lengths = ways.partialPivLu().solve(between);
+    const Vector3d lengths = ways.inverse() * between;
     result_.space = TaskSpace::R2;
     result_.hinges.offset = without_rounding_noise(lengths[1], system_.size());
     result_.hinges.twist = right_angle(std::atan2(normal.norm(), axis.dot(other)));
