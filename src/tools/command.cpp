@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/model/version.h"
+#include "parallel_aspects/model/wings.h"
 #include "tools/output_file.h"
 #include "tools/report/report.h"
 #include "tools/subcommands.h"
@@ -99,30 +100,20 @@ int run(Program& program, const std::vector<std::string>& arguments, const Surro
 }
 
 Program aspects_program() {
-  return {"aspects",
-          description,
-          {setup_subcommand(),
-           arm_map(map_subcommand()),
-           arm_locate(locate_subcommand()),
-           arm_refused(graph_subcommand()),
-           arm_connect(connect_subcommand()),
-           arm_refused(plan_subcommand()),
-           arm_refused(check_subcommand()),
-           arm_refused(choose_subcommand()),
-           arm_refused(workspace_subcommand()),
-           arm_refused(sweep_subcommand()),
-           merge_subcommand(),
-           chart_subcommand(),
-           arm_describe(describe_subcommand()),
-           arm_refused(distance_subcommand()),
-           arm_inverse(inverse_subcommand()),
-           arm_direct(direct_subcommand()),
-           arm_refused(jacobian_subcommand()),
-           arm_refused(plot_subcommand()),
-           robots_subcommand(),
-           arm_uniqueness(uniqueness_subcommand()),
-           fields_subcommand()},
-          footer};
+  Program program{"aspects", description, {}, footer};
+  const auto add = [&list = program.subcommands](const std::vector<Subcommand>& more) {
+    list.insert(list.end(), more.begin(), more.end());
+  };
+  if constexpr (wings::setup) add({setup_subcommand()});
+  add({arm_map(map_subcommand()), arm_locate(locate_subcommand()), arm_refused(graph_subcommand()),
+       arm_connect(connect_subcommand()), arm_refused(plan_subcommand()), arm_refused(check_subcommand()),
+       arm_refused(choose_subcommand()), arm_refused(workspace_subcommand())});
+  if constexpr (wings::sweep) add({arm_refused(sweep_subcommand()), merge_subcommand(), chart_subcommand()});
+  add({arm_describe(describe_subcommand()), arm_refused(distance_subcommand()),
+       arm_inverse(inverse_subcommand()), arm_direct(direct_subcommand()), arm_refused(jacobian_subcommand()),
+       arm_refused(plot_subcommand()), robots_subcommand(), arm_uniqueness(uniqueness_subcommand()),
+       fields_subcommand()});
+  return program;
 }
 
 }  // namespace

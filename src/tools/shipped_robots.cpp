@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/shipped_robots.h"
 
+#include "parallel_aspects/model/wings.h"
 #include "tools/report/report.h"
 #include "tools/subcommands.h"
 #include "urdf/arm_reading.h"
@@ -74,7 +75,9 @@ std::string misplaced_argument(const RobotChoice& choice) {
   if (!choice.name().empty() || (!urdf.empty() && !config.empty())) return "";
   if (urdf.empty() && config.empty())
     return "ROBOT is required; name a shipped robot, or give ROBOT.urdf ROBOT.yaml";
-  return config.empty() ? "its YAML is required behind '" + urdf + "'; `aspects setup " + urdf + "` writes it"
+  const std::string remedy =
+      wings::setup ? "`aspects setup " + urdf + "` writes it" : "give it as the next word";
+  return config.empty() ? "its YAML is required behind '" + urdf + "'; " + remedy
                         : "--urdf is required with --config; give the URDF of the robot";
 }
 

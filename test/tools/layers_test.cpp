@@ -167,6 +167,20 @@ TEST(Layers, TheUmbrellaHeaderIncludesEveryPublicOne) {
   for (const std::string& header : included) EXPECT_TRUE(fs::exists(here / "include" / header)) << header;
 }
 
+// What a build may leave out: none but its own sources includes it, and those that ask which parts there are.
+TEST(Layers, WingsAreIncludedOnlyWhereTheyMayBeMissing) {
+  const std::regex wing("urdf/setup/|tools/sweep/|aspects/design|report/setup_report"),
+      own("/(setup|sweep|design)/|(setup|sweep|chart)_(command|report)|bind_designs|/parallel_aspects.h");
+  for (const char* folder : {"src", "include"})
+    for (const fs::path& file : sources_in(here / folder)) {
+      const Strings headers = includes_of(file);
+      const bool asks = std::count(headers.begin(), headers.end(), "parallel_aspects/model/wings.h") > 0;
+      if (asks || std::regex_search(file.string(), own)) continue;
+      for (const std::string& header : headers)
+        EXPECT_FALSE(std::regex_search(header, wing)) << file << " includes " << header;
+    }
+}
+
 TEST(Layers, NoFolderHoldsTooManyFiles) {
   for (const char* folder : {"src", "include", "test/support"})
     for (const auto& [name, count] : files_by_folder(here / folder))

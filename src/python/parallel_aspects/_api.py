@@ -289,6 +289,10 @@ class Robot(Asking):
         return answer
 
 
+for _method in ("lengths", "with_lengths", "sweep"):  # what may be left out of a build
+    if not hasattr(_core.Robot, _method):
+        delattr(Robot, _method)
+
 for _method in ("map", "locate", "check", "choose", "jacobian", "uniqueness"):
     documented(getattr(Robot, _method), _method)
 documented(Robot.check_joints, "check")

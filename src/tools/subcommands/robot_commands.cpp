@@ -2,8 +2,8 @@
 #include "model/message_text.h"
 #include "model/spherical_links.h"
 #include "parallel_aspects/ask/robot_description.h"
-#include "parallel_aspects/aspects/design.h"
 #include "parallel_aspects/kinematics/kinematics.h"
+#include "parallel_aspects/model/wings.h"
 #include "parallel_aspects/singularity/indices.h"
 #include "tools/report/answer_json.h"
 #include "tools/report/constraints_report.h"
@@ -184,9 +184,9 @@ Subcommand describe_subcommand() {
           [arguments](const Surroundings& surroundings) {
             const RobotChoice& robot = arguments->robot;
             const std::string urdf = robot.urdf_file();
-            return !urdf.empty() && robot.config_file().empty()
-                       ? describe_bare(urdf, surroundings)
-                       : report_mechanism(load_checked(robot), arguments->verbose);
+            if constexpr (wings::setup)
+              if (!urdf.empty() && robot.config_file().empty()) return describe_bare(urdf, surroundings);
+            return report_mechanism(load_checked(robot), arguments->verbose);
           },
           {{"--verbose", "List every joint that a note is about", &arguments->verbose}}};
 }
