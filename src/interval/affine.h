@@ -25,6 +25,8 @@ namespace parallel_aspects {
 /// Lanes need -ffp-contract=off.
 template <std::size_t N, class Number = double>
 class Affine {
+// A product of one number is otherwise two calls.
+#define PARALLEL_ASPECTS_INLINE __attribute__((always_inline))
  public:
   using Range = RangeOf<Number>;
 
@@ -80,11 +82,11 @@ class Affine {
   friend Affine operator-(const Affine& a, const Affine& b) noexcept { return a + (-b); }
 
   friend Affine operator*(const Affine& a, const Affine& b) noexcept {
-    return outlined<Number>([&a, &b] { return product(a, b); });
+    return outlined<Number>([&a, &b]() PARALLEL_ASPECTS_INLINE { return product(a, b); });
   }
 
   friend Affine operator*(const Interval& factor, const Affine& a) noexcept {
-    return outlined<Number>([&factor, &a] { return multiplied(factor, a); });
+    return outlined<Number>([&factor, &a]() PARALLEL_ASPECTS_INLINE { return multiplied(factor, a); });
   }
 
   Affine& operator+=(const Affine& other) noexcept { return *this = *this + other; }
@@ -94,12 +96,13 @@ class Affine {
   /// 1/a where a is known to be at least `least` > 0 on the box.
   template <class Least>
   friend Affine reciprocal(const Affine& a, const Least& least) noexcept {
-    return outlined<Number>([&a, &least] { return reciprocal_of(a, in_lanes<Number>(least)); });
+    return outlined<Number>(
+        [&a, &least]() PARALLEL_ASPECTS_INLINE { return reciprocal_of(a, in_lanes<Number>(least)); });
   }
 
   /// sqrt(a) where a is known to be at least `least` > 0 on the box.
   friend Affine square_root(const Affine& a, const Number& least) noexcept {
-    return outlined<Number>([&a, &least] { return square_root_of(a, least); });
+    return outlined<Number>([&a, &least]() PARALLEL_ASPECTS_INLINE { return square_root_of(a, least); });
   }
 
   /// The one form in lanes where the condition holds, the other elsewhere.
@@ -114,8 +117,10 @@ class Affine {
 
   /// { cos(pi a), sin(pi a) } for a within [-1, 1].
   friend Turn<Affine> turn_of_half_turns(const Affine& a) noexcept {
-    return outlined<Number>([&a] { return turn_of(a); });
+    return outlined<Number>([&a]() PARALLEL_ASPECTS_INLINE { return turn_of(a); });
   }
+
+#undef PARALLEL_ASPECTS_INLINE
 
  private:
   static constexpr double rounding = 0x1p-52;
