@@ -174,7 +174,8 @@ Eigen::MatrixXd ClosureSystem::jacobian(const Eigen::VectorXd& values) const {
                          velocity_matrix(*tree_, base_, poses, closure.frames[1].link, b.translation());
     const Orientation turned = orientation(closure.type, a.linear(), b.linear());
     result.middleRows(row, 3) = apart.bottomRows<3>();
-    result.middleRows(row + 3, turned.error.size()) = size_ * turned.direction.lazyProduct(apart.topRows<3>());
+    result.middleRows(row + 3, turned.error.size()) =
+        size_ * turned.direction.lazyProduct(apart.topRows<3>());
     row += 3 + turned.error.size();
   }
   return result;
