@@ -1,6 +1,6 @@
 # Parts that nothing else stands on. One that is off is missing in command and Python module alike; the tests need all of them.
 option(PARALLEL_ASPECTS_SETUP "Find what a bare URDF leaves open: `aspects setup`, and `describe` without a YAML" ON)
-option(PARALLEL_ASPECTS_SWEEP "Vary designs: `aspects sweep`, `merge` and `chart`; lengths of robots in Python" ON)
+option(PARALLEL_ASPECTS_SWEEP "Vary designs: `aspects sweep`, `merge` and `chart`; `sweep` in Python" ON)
 
 set(all_wings_are_on ON)
 foreach(wing IN ITEMS setup sweep)

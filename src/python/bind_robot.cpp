@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ask/constraint_choice.h"
+#include "parallel_aspects/aspects/design.h"
 #include "parallel_aspects/kinematics/kinematics.h"
 #include "parallel_aspects/singularity/indices.h"
 #include "parallel_aspects/urdf/mechanism.h"
@@ -91,12 +92,26 @@ std::vector<std::string> constraints_of(const CoreRobot& robot) {
   return names;
 }
 
+py::dict lengths_of_robot(const CoreRobot& robot) {
+  py::dict lengths;
+  for (const DesignParameter& parameter : design_parameters(*robot.manipulator))
+    lengths[py::str(parameter.name)] = parameter.value;
+  return lengths;
+}
+
 CoreRobot constrained(const CoreRobot& robot, const py::dict& keywords) {
   ask::ProblemList problems;
   const auto choice = read_question<ask::ConstraintChoice>(*robot.manipulator, keywords);
   auto chosen = ask::constrained(robot.manipulator, choice, problems);
   refuse_any(texts_of(problems, ask::plain_name));
   return {std::move(chosen), nullptr, robot.acceleration};
+}
+
+CoreRobot with_lengths(const CoreRobot& robot, const DesignValues& values, bool keep_ties) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : values) names.push_back(name);
+  refuse_any(problems_of(*robot.manipulator, names, keep_ties));
+  return {with_design(*robot.manipulator, values, keep_ties), nullptr, robot.acceleration};
 }
 
 /// Shape (n, legs); rows of NaN where the mode does not reach the pose within limits.
@@ -163,7 +178,9 @@ void bind_robot(RobotClass& robot) {
   robot.def_property_readonly("joint_limits", joint_limits);
   robot.def_property_readonly("working_modes", mode_texts);
   robot.def_property_readonly("constraints", constraints_of);
+  robot.def_property_readonly("lengths", lengths_of_robot);
   robot.def("constrained", constrained);
+  robot.def("with_lengths", with_lengths);
   robot.def("inverse", inverse_of);
   robot.def("indices", indices_of);
 }

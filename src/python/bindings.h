@@ -59,7 +59,7 @@ using MapClass = pybind11::class_<CoreMap>;
 /// Each adds functions to the module or methods to the class.
 void bind_loading(pybind11::module& module);
 void bind_robot(RobotClass& robot);
-void bind_designs(RobotClass& robot);
+void bind_sweep(RobotClass& robot);
 void bind_questions(pybind11::module& module, RobotClass& robot, MapClass& map);
 void bind_map(RobotClass& robot, MapClass& map);
 

@@ -13,7 +13,7 @@ PYBIND11_MODULE(_core, module) {
   pa::RobotClass robot(module, "Robot");
   pa::MapClass map(module, "Map");
   pa::bind_robot(robot);
-  if constexpr (parallel_aspects::wings::sweep) pa::bind_designs(robot);
+  if constexpr (parallel_aspects::wings::sweep) pa::bind_sweep(robot);
   pa::bind_map(robot, map);
   pa::bind_questions(module, robot, map);
 }

@@ -169,8 +169,8 @@ TEST(Layers, TheUmbrellaHeaderIncludesEveryPublicOne) {
 
 // What a build may leave out: none but its own sources includes it, and those that ask which parts there are.
 TEST(Layers, WingsAreIncludedOnlyWhereTheyMayBeMissing) {
-  const std::regex wing("urdf/setup/|tools/sweep/|aspects/design|report/setup_report"),
-      own("/(setup|sweep|design)/|(setup|sweep|chart)_(command|report)|bind_designs|/parallel_aspects.h");
+  const std::regex wing("urdf/setup/|tools/sweep/|report/setup_report"),
+      own("/(setup|sweep)/|(setup|sweep|chart)_(command|report)|bind_sweep|/parallel_aspects.h");
   for (const char* folder : {"src", "include"})
     for (const fs::path& file : sources_in(here / folder)) {
       const Strings headers = includes_of(file);

@@ -289,9 +289,8 @@ class Robot(Asking):
         return answer
 
 
-for _method in ("lengths", "with_lengths", "sweep"):  # what may be left out of a build
-    if not hasattr(_core.Robot, _method):
-        delattr(Robot, _method)
+if not hasattr(_core.Robot, "sweep"):  # which may be left out of a build
+    del Robot.sweep
 
 for _method in ("map", "locate", "check", "choose", "jacobian", "uniqueness"):
     documented(getattr(Robot, _method), _method)

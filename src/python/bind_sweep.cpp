@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/design.h"
 #include "tools/sweep/sweep_arguments.h"
 #include "tools/sweep/sweep_file.h"
 
 #include "python/asking.h"
 #include "python/bindings.h"
-#include <pybind11/stl.h>
 
 namespace parallel_aspects::python {
 namespace {
 
 namespace py = pybind11;
 
+<<<<<<< HEAD:src/python/bind_designs.cpp
 py::dict lengths_of_robot(const CoreRobot& robot) {
   py::dict lengths;
   for (const DesignParameter& parameter : design_parameters(*robot.manipulator))
@@ -26,6 +25,8 @@ CoreRobot with_lengths(const CoreRobot& robot, const DesignValues& values, bool 
   return {with_design(*robot.manipulator, values, keep_ties), nullptr, robot.acceleration};
 }
 
+=======
+>>>>>>> fddf1880 (Lengths of robots stay without sweeps, since describe lists them):src/python/bind_sweep.cpp
 void sweep(const CoreRobot& robot, const std::string& file, const py::dict& keywords, unsigned threads,
            const py::object& progress) {
   tools::Shard shard;
@@ -46,10 +47,6 @@ void sweep(const CoreRobot& robot, const std::string& file, const py::dict& keyw
 
 }  // namespace
 
-void bind_designs(RobotClass& robot) {
-  robot.def_property_readonly("lengths", lengths_of_robot);
-  robot.def("with_lengths", with_lengths);
-  robot.def("sweep", sweep);
-}
+void bind_sweep(RobotClass& robot) { robot.def("sweep", sweep); }
 
 }  // namespace parallel_aspects::python
