@@ -49,7 +49,9 @@ TEST_P(Tolerance, NoRobotWithinContradictsABox) {
     }
   }
   EXPECT_GT(inside, test::is_sanitized ? -1 : 100);
-  EXPECT_TRUE(test::is_sanitized || outside > 100 || robot->task_space() == TaskSpace::SO3) << outside;
+  // The rod of the four-bar reaches all poses, as those of the spherical robots.
+  const bool reaches_all = robot->task_space() == TaskSpace::SO3 || robot->task_space() == TaskSpace::R1;
+  EXPECT_TRUE(test::is_sanitized || outside > 100 || reaches_all) << outside;
 }
 
 TEST_P(Tolerance, EveryRobotWithinTakesAFreeSegment) {
