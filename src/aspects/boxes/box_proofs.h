@@ -6,9 +6,11 @@
 #include "aspects/boxes/box_slopes.h"
 #include "aspects/boxes/box_states.h"
 #include "aspects/boxes/index_on_arcs.h"
+#include "aspects/boxes/wedge_proof.h"
 
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 // What BoxClassifier tells of boxes, from one stage after the other (see box_stage.h).
@@ -26,17 +28,17 @@ class StatesByMode {
   /// `signs` of all working modes; `modes`: which of them are asked for, bit by bit.
   StatesByMode(const std::vector<Signs>& signs, const Bits& modes) : signs_(signs), modes_(modes) {}
 
-  /// As BoxClassifier has it, but for what only `Detail::all_parts` finds. Without slopes nothing is found
-  /// whole.
+  /// As BoxClassifier has it, but lanes find nothing that only `Detail::all_parts` does. Without slopes
+  /// nothing is found whole.
   template <bool has_slopes>
-  void find(const ChartBox<Chart, Number>& at, Detail detail, bool shells) {
+  void find(const ChartBox<Chart, Number>& at, Detail detail, const BoxPolicy& policy) {
     const auto intervals = BoxIntervals<Chart, Number>::of(at);
     Mask open{};
     for_each_in(modes_, [&](std::size_t mode, const Mask& asked) {
       states_[mode] = intervals.states(signs_[mode]);
       open |= asked & is_undecided(states_[mode]);
     });
-    if (!in_none(open)) find_by_forms<has_slopes>(BoxForms<Chart, Number>::of(intervals), detail, shells);
+    if (!in_none(open)) find_by_forms<has_slopes>(BoxForms<Chart, Number>::of(intervals), detail, policy);
   }
 
   const Bits& operator[](std::size_t mode) const noexcept { return states_[mode]; }
@@ -61,7 +63,7 @@ class StatesByMode {
   }
 
   template <bool has_slopes>
-  void find_by_forms(const BoxForms<Chart, Number>& forms, Detail detail, bool shells) {
+  void find_by_forms(const BoxForms<Chart, Number>& forms, Detail detail, const BoxPolicy& policy) {
     Mask still_open{};
     for_each_open([&](std::size_t mode, const Mask& open) {
       Bits found = forms.states(signs_[mode]);
@@ -72,15 +74,18 @@ class StatesByMode {
     });
     if constexpr (has_slopes)
       if (!in_none(still_open) && (detail == Detail::parts || detail == Detail::all_parts))
-        find_whole_parts(BoxSlopes<Chart, Number>::of(forms), shells);
+        find_whole_parts(BoxSlopes<Chart, Number>::of(forms), detail == Detail::all_parts, policy);
   }
 
-  void find_whole_parts(const BoxSlopes<Chart, Number>& slopes, bool shells) {
+  void find_whole_parts(const BoxSlopes<Chart, Number>& slopes, bool all, const BoxPolicy& policy) {
     for_each_open([&](std::size_t mode, const Mask& open) {
       for (const int sign : {1, -1}) {
         const Mask asked = open & has_bits(states_[mode], may_be_bit(sign));
         if (in_none(asked)) continue;
-        const Mask whole = asked & slopes.is_whole(signs_[mode], sign, shells);
+        Mask whole = asked & slopes.is_whole(signs_[mode], sign, policy.shells, all && policy.faces);
+        if constexpr (std::is_same_v<Number, double>)
+          whole =
+              whole || (all && policy.wedges && WedgeProof<Chart>(slopes, signs_[mode], sign, policy).find());
         states_[mode] |= bits_where(whole, whole_bit(sign));
       }
     });

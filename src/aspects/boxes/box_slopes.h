@@ -86,12 +86,16 @@ class BoxSlopes {
     return growth.with(Growth::of_everything().where_or(known, monotonicity_of_determinant(signs, sign)));
   }
 
-  /// Whether all of S(signs, sign) in the box is proved to be connected, be it empty.
-  Mask is_whole(const Signs& signs, int sign, bool shells) const {
-    const Mask along = monotonicity(signs, sign).along_all(at());
-    if (!shells || in_all(along)) return along;
+  /// Whether all of S(signs, sign) in the box is proved to be connected, be it empty. `faces`: looks at
+  /// faces, too, of one box.
+  Mask is_whole(const Signs& signs, int sign, bool shells, bool faces) const {
+    const Growth growth = monotonicity(signs, sign);
+    Mask whole = growth.along_all(at());
     Growth of_shell = Growth::unknown();
-    return along | shell(signs, sign, !along, of_shell);
+    if (shells && !in_all(whole)) whole |= shell(signs, sign, !whole, of_shell);
+    if constexpr (Forms::is_of_one_box)
+      whole = whole || (faces && is_whole_on_face(growth, signs, sign, shells));
+    return whole;
   }
 
   /// Where S(signs, sign) is a shell along the serial singularity, of the boxes that are asked for; writes
@@ -265,6 +269,17 @@ class BoxSlopes {
       growth.require(term, unclear);
     }
     return growth;
+  }
+
+  /// Where the set is monotone along some coordinates, it is connected if what it has of the face that it
+  /// grows to is.
+  bool is_whole_on_face(const Growth& growth, const Signs& signs, int sign, bool shells) const {
+    Box face = at().box;
+    if (!growth.flatten(face)) return false;
+    const BoxIntervals<Chart> intervals(at().with(face));
+    if (!intervals.is_indeterminate(signs, sign)) return true;
+    const Forms forms(intervals);
+    return !forms.is_indeterminate(signs, sign) || BoxSlopes(forms).is_whole(signs, sign, shells, true);
   }
 
   /// d det A / d|B_jj|: det A with row j turned.

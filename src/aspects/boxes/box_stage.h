@@ -190,6 +190,12 @@ class BoxStage {
 
   LeafState state(const Signs& signs) const { return state_of(states(signs)); }
 
+  /// Whether the box may hold poses of S(signs, sign) and others.
+  bool is_indeterminate(const Signs& signs, int sign) const {
+    const Bits found = states(signs);
+    return has_bits(found, may_be_bit(sign)) && is_undecided(found);
+  }
+
   /// By limits of the actuated joint of leg j.
   const Proved<Mask>& limits(std::size_t j, int sign) const {
     std::optional<Proved<Mask>>& found = limits_[j][branch_of(sign)];

@@ -38,7 +38,7 @@ class ChartClassifier final : public BoxClassifier {
   void classify(RootIndex root, const Box& box, ModeSet modes, Detail detail,
                 LeafState* states) const noexcept override {
     StatesByMode<Chart, double> found(signs_, static_cast<std::int64_t>(modes));
-    found.template find<true>(at(root, box), detail, policy().shells);
+    found.template find<true>(at(root, box), detail, policy());
     for_each(modes, [&](std::size_t mode) { states[mode] = state_of(found[mode]); });
   }
 

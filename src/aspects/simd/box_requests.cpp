@@ -92,7 +92,7 @@ std::vector<OpenBox> find_whole(const BoxClassifier& classifier, std::size_t mod
   return rest;
 }
 
-/// What slopes, faces and wedges show to be whole besides in boxes of which all else is known.
+/// What slopes, faces and wedges show to be whole in boxes of which all else is known.
 void add_whole_parts(const BoxClassifier& classifier, const BoxRequests& requests, Detail detail,
                      InstructionSet instructions) {
   const bool all = detail == Detail::all_parts;
@@ -102,8 +102,8 @@ void add_whole_parts(const BoxClassifier& classifier, const BoxRequests& request
     for (const int sign : {1, -1}) {
       std::vector<OpenBox> open;
       for (const BoxRequest& each : requests)
-        if (LeafState& state = each.states[mode]; (each.modes >> mode & 1U) != 0 && state.is_undecided() &&
-                                                  state.may_be(sign) && !state.is_whole(sign))
+        if (LeafState& state = each.states[mode];
+            (each.modes >> mode & 1U) != 0 && state.is_undecided() && state.may_be(sign))
           open.push_back({{each.root, each.box}, &state});
       for (const OpenBox& each :
            find_whole(classifier, mode, sign, all && classifier.policy().faces, open, instructions))
@@ -157,7 +157,6 @@ void classify(const BoxClassifier& classifier, const BoxRequests& requests, Deta
     return;
   for (const BoxRequest& each : requests)
     classifier.classify(each.root, each.box, each.modes, detail, each.states);
-  if (detail == Detail::all_parts) add_whole_parts(classifier, requests, detail, instructions);
 }
 
 std::vector<Interval> enclose_index(const BoxClassifier& classifier, std::size_t mode, int sign,

@@ -58,7 +58,7 @@ void ChartLanes<Chart>::classify(const Classifier& classifier, const BoxRequests
       BitsOf<Numbers> modes{};
       for (std::size_t i = 0; i < count; ++i) modes[i] = static_cast<std::int64_t>(requests[first + i].modes);
       StatesByMode<Chart, Numbers> found(classifier.signs(), modes);
-      found.template find<has_slope_lanes<Chart>>(at, detail, classifier.policy().shells);
+      found.template find<has_slope_lanes<Chart>>(at, detail, classifier.policy());
       for (std::size_t i = 0; i < count; ++i)
         for (std::size_t mode = 0; mode < classifier.signs().size(); ++mode)
           if ((requests[first + i].modes >> mode & 1U) != 0)
