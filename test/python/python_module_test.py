@@ -194,7 +194,7 @@ def test_planned_segments_keep_the_sign(robot, aspects):
 
 
 def test_acceleration_is_that_of_the_yaml(robot, tmp_path):
-    stated = [robot, robot.constrained(tolerance=0.001), robot.with_lengths({"rod_1": 5.1}), robot.map(resolution=0.5)]
+    stated = [robot, robot.constrained(margin={"parallel": 0.01}), robot.with_lengths({"rod_1": 5.1}), robot.map(resolution=0.5)]
     for each in stated:
         assert each.plan((4.5, 8), (4.4, 8), prefer="fast").seconds > 0
     yaml = (ROOT / "config" / "robots" / "five_bar.yaml").read_text()
