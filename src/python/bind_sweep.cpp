@@ -10,23 +10,6 @@ namespace {
 
 namespace py = pybind11;
 
-<<<<<<< HEAD:src/python/bind_designs.cpp
-py::dict lengths_of_robot(const CoreRobot& robot) {
-  py::dict lengths;
-  for (const DesignParameter& parameter : design_parameters(*robot.manipulator))
-    lengths[py::str(parameter.name)] = parameter.value;
-  return lengths;
-}
-
-CoreRobot with_lengths(const CoreRobot& robot, const DesignValues& values, bool keep_ties) {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : values) names.push_back(name);
-  refuse_any(problems_of(*robot.manipulator, names, keep_ties));
-  return {with_design(*robot.manipulator, values, keep_ties), nullptr, robot.acceleration};
-}
-
-=======
->>>>>>> fddf1880 (Lengths of robots stay without sweeps, since describe lists them):src/python/bind_sweep.cpp
 void sweep(const CoreRobot& robot, const std::string& file, const py::dict& keywords, unsigned threads,
            const py::object& progress) {
   tools::Shard shard;
