@@ -50,8 +50,8 @@ std::vector<std::string> coordinate_names(
 /// An angle whose cosine and sine are rational numbers: a number of quarter turns and a rest, by the tangent
 /// of half the rest in units of 1e-12.
 struct RationalAngle {
-  int quarters = 0;
-  std::int64_t half_tangent = 0;
+  int quarters = 0;               ///< quarter turns, 0 to 3
+  std::int64_t half_tangent = 0;  ///< of half the rest [1e-12]
 
   double value() const noexcept;  ///< [rad]
 };
@@ -60,17 +60,19 @@ struct RationalAngle {
 /// `offset`, one of which the joint value is added to, then shift along x by `length` and turn about x by
 /// `twist`. Lengths are whole nanometres.
 struct ArmJoint {
-  std::string name;
-  bool turns = true;   ///< about its axis; else it slides along it
-  JointLimits limits;  ///< [rad or m]
-  RationalAngle turn, twist;
-  std::int64_t offset = 0, length = 0;  ///< [nm]
+  std::string name;         ///< in the URDF
+  bool turns = true;        ///< about its axis; else it slides along it
+  JointLimits limits;       ///< [rad or m]
+  RationalAngle turn;       ///< about z
+  RationalAngle twist;      ///< about x
+  std::int64_t offset = 0;  ///< along z [nm]
+  std::int64_t length = 0;  ///< along x [nm]
 };
 
 /// A joint of an arm as it is described, while all joints are zero, in the frame of the base link.
 struct ArmAxis {
-  std::string name;
-  bool turns = true;
+  std::string name;                                      ///< of the joint
+  bool turns = true;                                     ///< about the axis; else it slides along it
   Eigen::Vector3d point = Eigen::Vector3d::Zero();       ///< on the axis [m]
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit vector
   JointLimits limits;                                    ///< [rad or m]
@@ -78,12 +80,14 @@ struct ArmAxis {
 
 /// What an arm is made of.
 struct ArmDescription {
-  std::string name, base_link, tip_link;
+  std::string name;                                       ///< in messages
+  std::string base_link;                                  ///< in whose frame poses are
+  std::string tip_link;                                   ///< whose origin the operational point is
   std::vector<ArmAxis> axes;                              ///< from the base on
   Eigen::Isometry3d tip = Eigen::Isometry3d::Identity();  ///< frame of the operational point [m]
   std::optional<ArmTask> task;                            ///< nothing: by the number of joints
   double tolerance = 1e-4;  ///< axes that lack this share of the arm's size of meeting meet; likewise [rad]
-  std::vector<std::string> notes;
+  std::vector<std::string> notes;  ///< of the reader; messages
 };
 
 /// A serial arm: a chain of joints, each of which turns or slides, from a base link to an operational point.
@@ -98,15 +102,15 @@ class SerialArm {
   /// they cannot do the task.
   explicit SerialArm(const ArmDescription& description);
 
-  const std::string& name() const noexcept { return name_; }
+  const std::string& name() const noexcept { return name_; }            ///< in messages
   const std::string& base_link() const noexcept { return base_link_; }  ///< in whose frame poses are
   const std::string& tip_link() const noexcept {
     return tip_link_;
-  }  ///< whose origin the operational point is
-  ArmTask task() const noexcept { return task_; }
-  const std::vector<ArmJoint>& joints() const noexcept { return joints_; }
-  std::size_t size() const noexcept { return joints_.size(); }  ///< number of joints
-  double reach() const noexcept { return reach_; }              ///< sum of its lengths and offsets [m]
+  }                                                ///< whose origin the operational point is
+  ArmTask task() const noexcept { return task_; }  ///< what it is for
+  const std::vector<ArmJoint>& joints() const noexcept { return joints_; }  ///< from the base on
+  std::size_t size() const noexcept { return joints_.size(); }              ///< number of joints
+  double reach() const noexcept { return reach_; }  ///< sum of its lengths and offsets [m]
 
   /// Height of the operational point above the last frame, along its z axis [nm].
   std::int64_t tip_height() const noexcept { return tip_height_; }

@@ -65,9 +65,11 @@ void describe(Visit& visit, const DescribedFactor& factor) {
 
 /// A joint.
 struct DescribedArmJoint {
-  std::string name, kind, unit;
-  JointLimits limits;
-  bool turns_freely = false;
+  std::string name;           ///< in the URDF
+  std::string kind;           ///< "revolute" or "prismatic"
+  std::string unit;           ///< "rad" or "m"
+  JointLimits limits;         ///< [rad or m]
+  bool turns_freely = false;  ///< all the way round, so that limits bound no aspect
 };
 /// Its fields.
 template <class Visit>
@@ -82,11 +84,15 @@ void describe(Visit& visit, const DescribedArmJoint& joint) {
 
 /// What is recognised.
 struct ArmDescribed {
-  std::string mechanism, task, base_link, tip_link, method;
-  std::vector<std::string> coordinates;
-  std::vector<DescribedArmJoint> joints;
-  std::vector<DescribedFactor> factors;
-  std::vector<std::string> notes;
+  std::string mechanism;                  ///< its name
+  std::string task;                       ///< what the operational point is to do
+  std::string base_link;                  ///< in whose frame poses are
+  std::string tip_link;                   ///< whose origin the operational point is
+  std::string method;                     ///< how inverse solutions are found
+  std::vector<std::string> coordinates;   ///< of the task
+  std::vector<DescribedArmJoint> joints;  ///< from the base on
+  std::vector<DescribedFactor> factors;   ///< of det J: their product, times a constant, is det J
+  std::vector<std::string> notes;         ///< what was taken as exact where the description misses it
 };
 /// Its fields.
 template <class Visit>
@@ -102,7 +108,7 @@ void describe(Visit& visit, const ArmDescribed& answer) {
   visit({"inverse_method", "", "how `ik` solves it"}, answer.method);
   visit({"notes", "", "what was taken as exact where the description misses it; messages"}, answer.notes);
 }
-/// Looks at it.
+/// Describes the arm.
 Outcome<ArmDescribed> answer(ArmSession& session, const ArmDescribeQuestion& question,
                              const Control& control = {});
 
@@ -118,12 +124,14 @@ void describe(Visit& visit, ArmMapQuestion& question) {
 
 /// One of them.
 struct ArmAspect {
-  int id = 0;                                                      ///< 1 and up
-  int sign = 0;                                                    ///< of det J
-  std::vector<int> factor_signs;                                   ///< in the order of the factors
-  double measure = 0.0, measure_lower = 0.0, measure_upper = 0.0;  ///< [product of rad and m]
-  Eigen::VectorXd deepest;  ///< joint values in it: of joints that do not count, 0
-  NamedValues witness;      ///< the same by names
+  int id = 0;                     ///< 1 and up
+  int sign = 0;                   ///< of det J
+  std::vector<int> factor_signs;  ///< in the order of the factors
+  double measure = 0.0;           ///< best estimate of its volume [product of rad and m]
+  double measure_lower = 0.0;     ///< proved: from the inside boxes
+  double measure_upper = 0.0;     ///< proved: with the undecided boxes
+  Eigen::VectorXd deepest;        ///< joint values in it: of joints that do not count, 0
+  NamedValues witness;            ///< the same by names
 };
 /// Its fields.
 template <class Visit>
@@ -139,13 +147,14 @@ void describe(Visit& visit, const ArmAspect& aspect) {
 
 /// All.
 struct ArmMapAnswer {
-  std::string mechanism, unit;
-  std::vector<std::string> mapped_joints;
-  std::vector<ArmAspect> aspects;
-  std::size_t proved_count = 0;
-  std::optional<std::size_t> count_at_most;
-  double measure = 0.0;
-  std::size_t boxes = 0;
+  std::string mechanism;                     ///< its name
+  std::string unit;                          ///< of measures
+  std::vector<std::string> mapped_joints;    ///< those that det J depends on
+  std::vector<ArmAspect> aspects;            ///< those that are found
+  std::size_t proved_count = 0;              ///< lower bound of their number, proved
+  std::optional<std::size_t> count_at_most;  ///< upper bound, proved; nothing where there is none
+  double measure = 0.0;                      ///< of all joint values within limits
+  std::size_t boxes = 0;                     ///< of the maps of all groups of factors
 };
 /// Its fields.
 template <class Visit>
@@ -175,13 +184,14 @@ void describe(Visit& visit, ArmLocateQuestion& question) {
 
 /// Joint values, and what is proved of them.
 struct ArmPlace {
-  NamedValues joints;
-  Eigen::VectorXd q, pose;
+  NamedValues joints;             ///< by names [rad or m]
+  Eigen::VectorXd q;              ///< the same in their order
+  Eigen::VectorXd pose;           ///< coordinates of the task [m or rad]
   NamedValues coordinates;        ///< of the operational point
   double determinant = 0.0;       ///< det J there
   int sign = 0;                   ///< proved; 0 where it is not
   std::vector<int> factor_signs;  ///< likewise; empty where one is not
-  bool within_limits = true;
+  bool within_limits = true;      ///< whether the joint values are
   std::optional<int> aspect;      ///< id, where it is known
   std::optional<bool> is_proved;  ///< of inverse solutions: that there is exactly one
 };
@@ -226,9 +236,10 @@ void describe(Visit& visit, ArmInverseQuestion& question) {
 }
 /// All that are found.
 struct ArmInverseAnswer {
-  std::vector<ArmPlace> solutions;
-  bool complete = false;
-  std::string reason, method;
+  std::vector<ArmPlace> solutions;  ///< without a map
+  bool complete = false;            ///< whether there are no others
+  std::string reason;               ///< why that is so, or why it is not known
+  std::string method;               ///< how they are found
 };
 /// Its fields.
 template <class Visit>
@@ -244,7 +255,8 @@ Outcome<ArmInverseAnswer> answer(ArmSession& session, const ArmInverseQuestion& 
 
 /// Whether two sets of joint values are in one aspect.
 struct ArmConnectQuestion {
-  std::vector<double> from_joints{}, to_joints{};  ///< of all joints [rad or m]
+  std::vector<double> from_joints{};  ///< where the path begins, of all joints [rad or m]
+  std::vector<double> to_joints{};    ///< where it ends, likewise
 };
 /// Its fields.
 template <class Visit>
@@ -256,8 +268,8 @@ void describe(Visit& visit, ArmConnectQuestion& question) {
 }
 /// Whether they are, and how.
 struct ArmConnectAnswer {
-  Proved same_aspect = Proved::unknown;
-  std::string reason;
+  Proved same_aspect = Proved::unknown;  ///< whether one aspect holds both
+  std::string reason;                    ///< why; a message
   std::vector<NamedValues> path;  ///< joint values whose segments are proved; empty where none is known
 };
 /// Its fields.
@@ -279,8 +291,9 @@ template <class Visit>
 void describe(Visit& /*visit*/, ArmUniquenessQuestion& /*question*/) {}
 /// A cusp of an arm of three joints.
 struct DescribedCusp {
-  double rho = 0.0, z = 0.0;  ///< [m]
-  NamedValues joints;         ///< there
+  double rho = 0.0;    ///< distance from the first axis [m]
+  double z = 0.0;      ///< height along it, from the origin of the base link [m]
+  NamedValues joints;  ///< there, without the first [rad]
 };
 /// Its fields.
 template <class Visit>
@@ -291,11 +304,11 @@ void describe(Visit& visit, const DescribedCusp& cusp) {
 }
 /// Whether it is, and why.
 struct ArmUniquenessAnswer {
-  Proved cuspidal = Proved::unknown;
-  std::string reason;
+  Proved cuspidal = Proved::unknown;   ///< whether it can change its inverse solution within an aspect
+  std::string reason;                  ///< why; a message
   std::vector<NamedValues> solutions;  ///< two of one pose in one aspect, where it is cuspidal
-  std::optional<std::vector<DescribedCusp>> cusps;
-  bool cusps_complete = false;
+  std::optional<std::vector<DescribedCusp>> cusps;  ///< of three turning joints and a position
+  bool cusps_complete = false;                      ///< whether it is proved that there are no others
 };
 /// Its fields.
 template <class Visit>
@@ -307,7 +320,7 @@ void describe(Visit& visit, const ArmUniquenessAnswer& answer) {
   visit({"cusps", "", "of three turning joints whose task is a position; null for others"}, answer.cusps);
   visit({"cusps_complete", "", "whether it is proved that there are no other cusps"}, answer.cusps_complete);
 }
-/// Finds out.
+/// Answers with a proof where one is found.
 Outcome<ArmUniquenessAnswer> answer(ArmSession& session, const ArmUniquenessQuestion& question,
                                     const Control& control = {});
 
